@@ -1,0 +1,61 @@
+// The program: reads the command line, hands over to one subcommand, returns its exit code (those of <sysexits.h>).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/check_command.hpp"
+#include "app/compare_command.hpp"
+#include "app/render_command.hpp"
+#include "app/render_options.hpp"
+#include "app/version.hpp"
+
+namespace {
+
+CLI::App* add_check(CLI::App& app, penumbra::CheckOptions& options) {
+  CLI::App* check = app.add_subcommand("check", "Read a scene and say what is in it, or what is wrong with it");
+  check->add_option("SCENE", options.scene, "The scene file (.cli)")->required();
+  check->add_flag("--course", options.course, "Place spheres and boxes as the course does [off]");
+  check->add_flag("--lenient", options.lenient, "Skip commands that only other programs know, with a warning [off]");
+  return check;
+}
+
+constexpr int exit_usage = 64;
+constexpr int exit_software = 70;
+
+int run(int argc, char** argv) {
+  CLI::App app("Penumbra, a distribution ray tracer for .cli scenes", "penumbra");
+  app.set_version_flag("--version", std::string("penumbra ") + penumbra::version, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.require_subcommand(1);
+  penumbra::RenderOptions render_options;
+  penumbra::CheckOptions check_options;
+  penumbra::CompareOptions compare_options;
+  const CLI::App* render = penumbra::add_render(app, render_options);
+  const CLI::App* check = add_check(app, check_options);
+  const CLI::App* compare = penumbra::add_compare(app, compare_options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : exit_usage;
+  }
+  if (render->parsed()) return penumbra::render_command(render_options);
+  if (check->parsed()) return penumbra::check_command(check_options);
+  if (compare->parsed()) return penumbra::compare_command(compare_options);
+  return exit_usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "penumbra: not enough memory\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "penumbra: {}\n", e.what());
+  }
+  return exit_software;
+}

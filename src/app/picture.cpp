@@ -1,0 +1,55 @@
+#include "app/picture.hpp"
+
+#include <algorithm>
+
+namespace penumbra {
+namespace {
+
+void paint(Image& image, const Crop& crop, int full_height, const PaintedRect& rect) {
+  const int x0 = std::max(rect.x0, crop.x0);
+  const int x1 = std::min(rect.x1, crop.x1);
+  const int y0 = std::max(full_height - rect.y1, crop.y0);
+  const int y1 = std::min(full_height - rect.y0, crop.y1);
+  for (int y = y0; y < y1; y++) {
+    for (int x = x0; x < x1; x++) {
+      float* pixel = &image.rgb[3 * (static_cast<std::size_t>(y - crop.y0) * image.width + (x - crop.x0))];
+      for (int c = 0; c < 3; c++) pixel[c] = static_cast<float>(rect.color[c]);
+    }
+  }
+}
+
+// One channel for each letter, taken out of interleaved values.
+void add_layer(ImageFile& file, const std::string& name, const std::string& letters, const std::vector<float>& values) {
+  const std::size_t channels = letters.size();
+  for (std::size_t c = 0; c < channels; c++) {
+    Channel channel{name + "." + letters[c], std::vector<float>(values.size() / channels)};
+    for (std::size_t i = 0; i < channel.values.size(); i++) channel.values[i] = values[channels * i + c];
+    file.layers.push_back(std::move(channel));
+  }
+}
+
+}  // namespace
+
+ImageFile develop(const Film& film, int full_width, int full_height, const std::vector<PaintedRect>& rects,
+                  Metadata metadata) {
+  const Crop& crop = film.crop();
+  ImageFile file;
+  file.image = {crop.width(), crop.height(), film.color()};
+  file.window = {crop.x0, crop.y0, crop.x1, crop.y1};
+  file.full_width = full_width;
+  file.full_height = full_height;
+  file.metadata = std::move(metadata);
+  for (const PaintedRect& rect : rects) paint(file.image, crop, full_height, rect);
+  const Layers& layers = film.layers();
+  if (layers.depth) add_layer(file, "depth", "Z", film.depth());
+  if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());
+  if (layers.albedo) add_layer(file, "albedo", "RGB", film.albedo());
+  if (layers.variance) add_layer(file, "variance", "RGB", film.variance());
+  if (layers.samples) {
+    const std::size_t pixels = file.image.rgb.size() / 3;
+    add_layer(file, "samples", "Y", std::vector<float>(pixels, static_cast<float>(film.samples())));
+  }
+  return file;
+}
+
+}  // namespace penumbra

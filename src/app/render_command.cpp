@@ -1,0 +1,231 @@
+#include "app/render_command.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "app/outputs.hpp"
+#include "app/picture.hpp"
+#include "app/progress.hpp"
+#include "app/stats.hpp"
+#include "app/version.hpp"
+#include "base/atomic_file.hpp"
+#include "image/image_file.hpp"
+#include "language/scene_file.hpp"
+#include "rendering/isa.hpp"
+#include "rendering/render.hpp"
+
+namespace penumbra {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int exit_usage = 64;
+constexpr int exit_scene = 65;
+constexpr int exit_no_input = 66;
+constexpr int exit_software = 70;
+constexpr int exit_cannot_create = 73;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+// The scene with what the command line says in place of its own words.
+Scene with_options(Scene scene, const RenderOptions& options) {
+  if (options.rays) scene.rays_per_pixel = *options.rays;
+  if (options.size) std::tie(scene.width, scene.height) = *options.size;
+  if (options.max_depth) scene.max_depth = *options.max_depth;
+  if (options.seed) scene.seed = *options.seed;
+  if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
+  return scene;
+}
+
+// The course's pictures are of independent random samples, unless the command line asks for others.
+Pattern pattern_for(const Scene& scene, const RenderOptions& options) {
+  if (options.sampler) return *options.sampler;
+  if (options.course) return Pattern::random;
+  return pattern_from_name(scene.sampler).value_or(default_pattern);
+}
+
+TracingOptions tracing_options(const Scene& scene, const RenderOptions& options) {
+  TracingOptions tracing;
+  tracing.pattern = pattern_for(scene, options);
+  tracing.seed = scene.seed;
+  tracing.max_depth = scene.max_depth;
+  tracing.rays_per_pixel = scene.rays_per_pixel;
+  tracing.course = options.course;
+  tracing.shadows = !options.no_shadows;
+  tracing.transparent_shadows = options.transparent_shadows;
+  return tracing;
+}
+
+// All that repeats the picture: never time, host, threads or instruction set.
+Metadata metadata_for(const Scene& scene, const TracingOptions& tracing, const RenderOptions& options) {
+  Metadata metadata = {{"scene", std::filesystem::path(options.scene).filename().string()},
+                       {"version", version},
+                       {"size", fmt::format("{}x{}", scene.width, scene.height)},
+                       {"rays", fmt::format("{}", scene.rays_per_pixel)},
+                       {"sampler", std::string(pattern_names[static_cast<int>(tracing.pattern)])},
+                       {"seed", fmt::format("{}", scene.seed)},
+                       {"max-depth", fmt::format("{}", scene.max_depth)}};
+  if (options.crop) {
+    const Crop& c = *options.crop;
+    metadata.emplace_back("crop", fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1));
+  }
+  if (options.time) metadata.emplace_back("time", fmt::format("{}", *options.time));
+  if (options.course) metadata.emplace_back("course", "yes");
+  if (options.lenient) metadata.emplace_back("lenient", "yes");
+  if (options.no_shadows) metadata.emplace_back("no-shadows", "yes");
+  if (options.transparent_shadows) metadata.emplace_back("transparent-shadows", "yes");
+  return metadata;
+}
+
+class RenderRun {
+ public:
+  explicit RenderRun(const RenderOptions& options) : options_(options) {}
+
+  int run() {
+    if (usable_kernels().empty()) {
+      fmt::print(stderr, "penumbra: this machine has none of the instruction sets that this program was built for\n");
+      return exit_software;
+    }
+    const Clock::time_point start = Clock::now();
+    const SceneFile file = read_scene(options_.scene, {options_.course, options_.lenient});
+    stats_.parse_seconds = seconds_since(start);
+    for (const Diagnostic& diagnostic : file.diagnostics) {
+      if (!options_.quiet || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
+    }
+    if (has_error(file.diagnostics)) return exit_scene;
+
+    const auto files = output_files(file.actions, options_.scene, options_.outputs);
+    if (const int code = check_before_rendering(file.actions, files)) return code;
+    std::size_t picture_number = 0;
+    Clock::time_point timer = start;
+    for (const Action& action : file.actions) {
+      if (std::holds_alternative<ResetTimer>(action)) {
+        timer = Clock::now();
+      } else if (std::holds_alternative<PrintTimer>(action)) {
+        fmt::print("seconds: {:.3f}\n", seconds_since(timer));
+        std::fflush(stdout);
+      } else {
+        render_picture(std::get<Picture>(action), files[picture_number++]);
+      }
+    }
+    if (!options_.stats.empty()) write_file_atomically(options_.stats, bytes_of(to_json(stats_)));
+    return 0;
+  }
+
+ private:
+  // What would make the work of rendering useless is found before it starts.
+  int check_before_rendering(const std::vector<Action>& actions,
+                             const std::vector<std::vector<std::filesystem::path>>& files) const {
+    std::size_t number = 0;
+    for (const Action& action : actions) {
+      const auto* picture = std::get_if<Picture>(&action);
+      if (!picture) continue;
+      const Scene scene = with_options(*picture->scene, options_);
+      if (options_.crop && (options_.crop->x1 > scene.width || options_.crop->y1 > scene.height)) {
+        fmt::print(stderr, "penumbra: --crop goes beyond the picture, which has {}x{} pixels\n", scene.width,
+                   scene.height);
+        return exit_usage;
+      }
+      for (const std::filesystem::path& path : files[number++]) {
+        if (format_of(path) == ImageFormat::none) {
+          fmt::print(stderr,
+                     "penumbra: cannot write `{}`: the name ends neither in .png nor in .exr; name another "
+                     "file with -o\n",
+                     path.string());
+          return exit_cannot_create;
+        }
+        const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        if (!std::filesystem::is_directory(folder)) {
+          fmt::print(stderr, "penumbra: cannot write `{}`: there is no folder `{}`\n", path.string(), folder.string());
+          return exit_cannot_create;
+        }
+      }
+    }
+    return 0;
+  }
+
+  void render_picture(const Picture& picture, const std::vector<std::filesystem::path>& files) {
+    const Scene scene = with_options(*picture.scene, options_);
+    const TracingOptions tracing = tracing_options(scene, options_);
+    Plan plan;
+    plan.crop = options_.crop.value_or(Crop{0, 0, scene.width, scene.height});
+    plan.layers = options_.layers;
+    plan.threads = options_.threads > 0 ? options_.threads : default_thread_count();
+
+    Clock::time_point start = Clock::now();
+    const Frame frame = make_frame(scene, tracing, plan.threads);
+    stats_.build_seconds += seconds_since(start);
+
+    start = Clock::now();
+    Film film(plan.crop, plan.layers);
+    const Kernel& kernel = *usable_kernels().back();
+    RenderState state;
+    RayCounts rays;
+    {
+      const auto samples = static_cast<std::uint64_t>(plan.crop.width()) * plan.crop.height() * scene.rays_per_pixel;
+      const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, samples);
+      rays = render_samples(film, frame, kernel, plan, {0, static_cast<std::uint32_t>(scene.rays_per_pixel)}, state);
+      stats_.samples += samples;
+    }
+    const double render_seconds = seconds_since(start);
+    stats_.render_seconds += render_seconds;
+
+    start = Clock::now();
+    const ImageFile image =
+        develop(film, scene.width, scene.height, picture.rects, metadata_for(scene, tracing, options_));
+    const Quantization quantization{options_.bits, options_.course ? Rounding::course : Rounding::nearest};
+    for (const std::filesystem::path& path : files) {
+      write_image(path, image, quantization);
+      if (!options_.quiet) {
+        const double rate = static_cast<double>(rays.total()) / std::max(render_seconds, 1e-9);
+        fmt::print(stderr, "{}: {}x{} pixels, {} rays per pixel, {}, {:.1f} Mrays/s\n", path.string(),
+                   plan.crop.width(), plan.crop.height(), scene.rays_per_pixel, duration_text(render_seconds),
+                   rate * 1e-6);
+      }
+    }
+    stats_.write_seconds += seconds_since(start);
+    note(frame, kernel, plan, rays);
+  }
+
+  void note(const Frame& frame, const Kernel& kernel, const Plan& plan, const RayCounts& rays) {
+    stats_.rays += rays;
+    stats_.threads = plan.threads;
+    stats_.lanes = kernel.lanes;
+    stats_.isa = kernel.isa;
+    stats_.sampler = pattern_names[static_cast<int>(frame.options.pattern)];
+    stats_.seed = frame.options.seed;
+    stats_.width = frame.width;
+    stats_.height = frame.height;
+    stats_.shapes = frame.world.shape_count;
+    stats_.triangles = frame.world.triangle_count;
+    stats_.instances = frame.world.instance_count;
+    stats_.lights = frame.lights.size();
+  }
+
+  const RenderOptions& options_;
+  RenderStats stats_;
+};
+
+}  // namespace
+
+int render_command(const RenderOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::exists(options.scene, error)) {
+    fmt::print(stderr, "penumbra: there is no scene file `{}`\n", options.scene);
+    return exit_no_input;
+  }
+  try {
+    return RenderRun(options).run();
+  } catch (const FileError& e) {
+    fmt::print(stderr, "penumbra: {}\n", e.what());
+    return e.exit_code;
+  }
+}
+
+}  // namespace penumbra

@@ -1,0 +1,42 @@
+// What `penumbra render` can be told on its command line.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rendering/plan.hpp"
+#include "sampling/pattern.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace penumbra {
+
+enum class ProgressStyle { automatic, bar, plain, json, none };
+
+// Options left out are empty: the scene's own word counts then.
+struct RenderOptions {
+  std::string scene;
+  std::vector<std::string> outputs;
+  std::optional<int> rays, max_depth;
+  std::optional<std::uint32_t> seed;
+  std::optional<double> time;
+  std::optional<Pattern> sampler;
+  std::optional<std::pair<int, int>> size;
+  std::optional<Crop> crop;
+  int threads = 0;  // 0: as many as there are
+  int bits = 8;
+  bool no_shadows = false, transparent_shadows = false;
+  bool course = false, lenient = false, quiet = false;
+  Layers layers;
+  ProgressStyle progress = ProgressStyle::automatic;
+  std::string stats;
+};
+
+// Adds the subcommand `render` to `app`; parsing fills `options` and throws CLI::ParseError for what is no good.
+CLI::App* add_render(CLI::App& app, RenderOptions& options);
+
+}  // namespace penumbra

@@ -1,0 +1,25 @@
+// What a render did, in numbers: the JSON of `--stats`.
+#pragma once
+
+#include <string>
+
+#include "rendering/render.hpp"
+
+namespace penumbra {
+
+struct RenderStats {
+  double parse_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
+  RayCounts rays;
+  std::uint64_t samples = 0;  // pixels times rays per pixel
+  int threads = 0;
+  int lanes = 0;
+  std::string isa, sampler;
+  std::uint32_t seed = 0;
+  int width = 0, height = 0;
+  std::uint64_t shapes = 0, triangles = 0, instances = 0, lights = 0;
+};
+
+// Of several pictures, times, rays and samples are sums, the rest is that of the last one.
+std::string to_json(const RenderStats& stats);
+
+}  // namespace penumbra

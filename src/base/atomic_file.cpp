@@ -1,0 +1,228 @@
+// Whole files in and out, on POSIX calls: see atomic_file.hpp for the promise. Temporary files are named
+// .TARGET.PID@HOST.N.tmp: the process id tells whether their run is dead, the host name whose process that is where
+// several machines share a folder.
+#include "base/atomic_file.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sysexits.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace penumbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(int exit_code, std::string_view what, const fs::path& path, int error) {
+  throw FileError(exit_code, fmt::format("cannot {} `{}`: {}", what, path.string(), std::strerror(error)));
+}
+
+// An open file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return fd_; }
+  // Closes now; the error number, 0 for none. Some network file systems report a full disk only here.
+  int close() { return ::close(std::exchange(fd_, -1)) == 0 || errno == EINTR ? 0 : errno; }
+
+ private:
+  int fd_;
+};
+
+// A temporary file that removes itself unless it was renamed to its place.
+struct Temporary {
+  explicit Temporary(std::string name) : path(std::move(name)) {}
+  ~Temporary() {
+    if (!renamed) ::unlink(path.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  std::string path;
+  bool renamed = false;
+};
+
+// Writes everything; the error number, 0 for none.
+int write_all(int fd, std::span<const std::byte> bytes) {
+  // One call of write() takes at most 2 GB - 4 KB on Linux.
+  constexpr std::size_t largest_write = std::size_t{1} << 30;
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), std::min(bytes.size(), largest_write));
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return errno;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+// Forces the data to the disk; the error number, 0 for none or where the file system knows no such thing.
+int sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno; }
+
+std::optional<int> parse_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+// The descriptor that a name such as /dev/stdout stands for. Opening that name anew would start at the beginning of a
+// file that the shell opened for appending, and replacing it would cut the shell's file loose.
+std::optional<int> descriptor_named(const fs::path& path) {
+  const std::string& name = path.native();
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (name.starts_with(folder)) return parse_number(std::string_view(name).substr(folder.size()));
+  }
+  return std::nullopt;
+}
+
+// The file that a chain of symbolic links ends at; it need not exist.
+fs::path follow_links(const fs::path& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int hops = 0; fs::is_symlink(target, error); hops++) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) fail(EX_CANTCREAT, "create", path, error.value());
+    if (hops == 40) fail(EX_CANTCREAT, "create", path, ELOOP);
+    target = target.parent_path() / next;
+  }
+  return target;
+}
+
+void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
+  const std::optional<int> inherited = descriptor_named(path);
+  Descriptor file(inherited ? ::fcntl(*inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.get() < 0) fail(EX_CANTCREAT, "open", path, errno);
+  if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
+  if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
+}
+
+const std::string& host_name() {
+  static const std::string name = [] {
+    std::array<char, 256> buffer{};
+    if (::gethostname(buffer.data(), buffer.size() - 1) != 0) return std::string("unknown");
+    return std::string(buffer.data()).substr(0, 64);
+  }();
+  return name;
+}
+
+// What the temporary files of a target begin with. Long names are cut: 255 bytes is all a file name may have.
+std::string temporary_prefix(const fs::path& target) {
+  return fmt::format(".{}.", target.filename().string().substr(0, 150));
+}
+
+bool is_alive(int pid) { return ::kill(pid, 0) == 0 || errno == EPERM; }
+
+// Removes what dead runs on this host left of earlier writes to the same target. A folder that cannot be listed is no
+// reason not to write.
+void remove_stale_temporaries(const fs::path& folder, std::string_view prefix) {
+  constexpr std::string_view suffix = ".tmp";
+  DIR* listing = ::opendir(folder.c_str());
+  if (!listing) return;
+  while (const dirent* entry = ::readdir(listing)) {
+    std::string_view name = entry->d_name;
+    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
+    name.remove_prefix(prefix.size());
+    const std::size_t at = name.find('@');
+    if (at == name.npos || !name.substr(at + 1).starts_with(host_name() + ".")) continue;
+    const std::optional<int> pid = parse_number(name.substr(0, at));
+    if (pid && *pid > 0 && !is_alive(*pid)) ::unlinkat(::dirfd(listing), entry->d_name, 0);
+  }
+  ::closedir(listing);
+}
+
+// A name that no other write has, now or later: the counter runs through the whole process.
+std::string temporary_name(const fs::path& folder, std::string_view prefix) {
+  static std::atomic<unsigned> counter{0};
+  return (folder / fmt::format("{}{}@{}.{}.tmp", prefix, ::getpid(), host_name(), counter++)).string();
+}
+
+// The new file gets the old one's owner as well where we may give it, so that root's write does not take it over.
+void keep_permissions(int fd, const struct stat& old) {
+  [[maybe_unused]] const int not_ours_to_give = ::fchown(fd, old.st_uid, old.st_gid);
+  ::fchmod(fd, old.st_mode & 0777);
+}
+
+void replace_file(const fs::path& path, const fs::path& target, const struct stat* old,
+                  std::span<const std::byte> bytes) {
+  // A rename would replace a write-protected file without a word.
+  if (old && ::access(target.c_str(), W_OK) != 0) fail(EX_CANTCREAT, "replace", path, errno);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const std::string prefix = temporary_prefix(target);
+  remove_stale_temporaries(folder, prefix);
+
+  const std::string name = temporary_name(folder, prefix);
+  // The name is ours alone, so a file that has it is a dead run's that had our process id.
+  ::unlink(name.c_str());
+  Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail(EX_CANTCREAT, "create", path, errno);
+  Temporary temporary(name);
+  if (old) keep_permissions(file.get(), *old);
+  if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
+  if (const int error = sync(file.get())) fail(EX_IOERR, "write", path, error);
+  if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
+  if (::rename(name.c_str(), target.c_str()) != 0) fail(EX_CANTCREAT, "replace", path, errno);
+  temporary.renamed = true;
+
+  // The new file is complete and in its place: that the folder could not be synced as well is not a failed write.
+  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.get() >= 0) sync(directory.get());
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
+  struct stat old {};
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  // Of a file that stat() cannot tell about, the creation will say what is wrong.
+  if (exists && S_ISDIR(old.st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
+  if (descriptor_named(path) || (exists && !S_ISREG(old.st_mode))) return write_directly(path, bytes);
+  replace_file(path, follow_links(path), exists ? &old : nullptr, bytes);
+}
+
+std::vector<std::byte> read_file(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail(EX_NOINPUT, "open", path, errno);
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) fail(EX_IOERR, "read", path, errno);
+  if (S_ISDIR(status.st_mode)) fail(EX_NOINPUT, "read", path, EISDIR);
+  std::vector<std::byte> bytes;
+  std::size_t used = 0;
+  // One byte more than the file should have, so that its end is found without another round.
+  bytes.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536);
+  for (;;) {
+    if (used == bytes.size()) bytes.resize(bytes.size() * 2);
+    const ssize_t count = ::read(file.get(), bytes.data() + used, bytes.size() - used);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(EX_IOERR, "read", path, errno);
+    if (count == 0) break;
+    used += static_cast<std::size_t>(count);
+  }
+  bytes.resize(used);
+  return bytes;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,407 @@
+// From the scene's tree of objects to groups of leaves: nested groups taken apart, single shapes freed from their
+// instances, placements split off, triangles dealt to the two rooms, a BVH over each group.
+#include <algorithm>
+#include <cfloat>
+#include <optional>
+
+#include "geometry/bvh.hpp"
+#include "geometry/embree_mesh.hpp"
+#include "geometry/world.hpp"
+
+namespace penumbra {
+namespace {
+
+// Hit points and ray origins carry errors of this share of their largest coordinate; bounds are wider by as much.
+constexpr double bounds_margin = 1.0 / (1 << 20);
+
+constexpr float shape_cost = 1;
+constexpr float placed_cost = 2;
+constexpr float instance_cost = 8;
+constexpr float mesh_cost = 16;
+
+Placement make_placement(const Affine& m) {
+  const Affine inv = inverse(m);
+  Placement p{};
+  for (int row = 0; row < 3; row++) {
+    for (int column = 0; column < 3; column++) {
+      p.linear[3 * row + column] = static_cast<float>(m.column[column][row]);
+      p.inverse[3 * row + column] = static_cast<float>(inv.column[column][row]);
+    }
+    p.translation[row] = static_cast<float>(m.translation[row]);
+  }
+  return p;
+}
+
+// The largest sum of absolute values in a row: how much the map can enlarge a coordinate.
+double row_sum(const Affine& m) { return max_component(abs(m.column[0]) + abs(m.column[1]) + abs(m.column[2])); }
+
+// The factor of a map that is a rotation (or reflection) and one scale for all axes.
+std::optional<double> uniform_scale(const Affine& m) {
+  const double s2 = dot(m.column[0], m.column[0]);
+  const double tolerance = 1e-12 * s2;
+  for (int i = 0; i < 3; i++) {
+    if (std::abs(dot(m.column[i], m.column[i]) - s2) > tolerance) return std::nullopt;
+    if (std::abs(dot(m.column[i], m.column[(i + 1) % 3])) > tolerance) return std::nullopt;
+  }
+  return std::sqrt(s2);
+}
+
+bool maps_axes_to_axes(const Affine& m) {
+  for (int i = 0; i < 3; i++) {
+    const double largest = max_component(abs(m.column[i]));
+    int entries = 0;
+    for (int row = 0; row < 3; row++) entries += std::abs(m.column[i][row]) > 1e-15 * largest;
+    if (entries != 1) return false;
+  }
+  return true;
+}
+
+// A scale along y, and one factor for x and z with any turn about y.
+std::optional<double> uniform_scale_round_y(const Affine& m) {
+  const double s2 = dot(m.column[0], m.column[0]);
+  const double tolerance = 1e-12 * s2;
+  const Vec3 y = m.column[1];
+  if (y.x != 0 || y.z != 0 || m.column[0].y != 0 || m.column[2].y != 0) return std::nullopt;
+  if (std::abs(dot(m.column[2], m.column[2]) - s2) > tolerance) return std::nullopt;
+  if (std::abs(dot(m.column[0], m.column[2])) > tolerance) return std::nullopt;
+  return std::sqrt(s2);
+}
+
+void set3(float* out, Vec3 v) {
+  for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
+}
+
+void set_sphere(Leaf& leaf, const Sphere& s) {
+  leaf.kind = LeafKind::sphere;
+  set3(leaf.data, s.center);
+  leaf.data[3] = static_cast<float>(s.radius);
+}
+void set_box(Leaf& leaf, const Box& b) {
+  leaf.kind = LeafKind::box;
+  set3(leaf.data, b.lo);
+  set3(leaf.data + 3, b.hi);
+}
+void set_cylinder(Leaf& leaf, const Cylinder& c) {
+  leaf.kind = c.capped ? LeafKind::cylinder : LeafKind::hollow_cylinder;
+  const double values[5] = {c.x, c.z, c.radius, c.y_min, c.y_max};
+  for (int i = 0; i < 5; i++) leaf.data[i] = static_cast<float>(values[i]);
+}
+
+Bounds bounds_of(const Sphere& s) { return grow({s.center, s.center}, s.radius); }
+Bounds bounds_of(const Box& b) { return {b.lo, b.hi}; }
+Bounds bounds_of(const Cylinder& c) {
+  return {{c.x - c.radius, c.y_min, c.z - c.radius}, {c.x + c.radius, c.y_max, c.z + c.radius}};
+}
+
+// The tight bounds of an ellipsoid: along each axis, the length of the map's row.
+Bounds transformed_bounds(const Affine& m, const Sphere& s) {
+  Vec3 extent;
+  for (int row = 0; row < 3; row++) {
+    extent[row] = s.radius * length({m.column[0][row], m.column[1][row], m.column[2][row]});
+  }
+  const Vec3 center = transform_point(m, s.center);
+  return {center - extent, center + extent};
+}
+template <typename Shape>
+Bounds transformed_bounds(const Affine& m, const Shape& s) {
+  return transform(m, bounds_of(s));
+}
+
+class WorldBuilder {
+ public:
+  WorldBuilder(const Scene& scene, const WorldOptions& options)
+      : scene_(scene), options_(options), device_(options.threads) {
+    world_.triangles = scene.triangles;
+    group_of_definition_.assign(scene.definitions.size(), no_group);
+  }
+
+  World build() {
+    world_.groups.resize(1);
+    build_group(0, scene_.root.objects);
+    return std::move(world_);
+  }
+
+ private:
+  static constexpr std::uint32_t no_group = 0xffffffffu;
+
+  // What collects the leaves of one group.
+  struct GroupParts {
+    std::vector<Leaf> leaves;
+    std::vector<BvhItem> items;
+    std::uint32_t order = 0;
+    struct Run {  // static triangles, waiting for the choice of a room
+      TriangleRange range;
+      std::uint32_t order;
+      std::uint32_t surface;
+    };
+    std::vector<Run> runs;
+    double placed_magnitude = 0;
+  };
+
+  void build_group(std::uint32_t group, const std::vector<Object>& objects) {
+    GroupParts parts;
+    for (const Object& object : objects) add(parts, object, {});
+    deal_triangles(parts);
+    const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
+    const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
+    bool has_triangles = false;
+    world_.leaves.reserve(world_.leaves.size() + parts.leaves.size());
+    Bounds bounds;
+    for (const BvhItem& item : parts.items) {
+      world_.leaves.push_back(parts.leaves[item.leaf]);
+      has_triangles |= parts.leaves[item.leaf].kind == LeafKind::triangle;
+      bounds = include(bounds, item.bounds);
+    }
+    world_.groups[group] = {root, has_triangles};
+    group_bounds_.resize(world_.groups.size());
+    group_bounds_[group] = bounds;
+    group_magnitude_.resize(world_.groups.size());
+    for (const Leaf& leaf : parts.leaves) {
+      group_magnitude_[group] = std::max(group_magnitude_[group], double{leaf.magnitude});
+    }
+  }
+
+  void add(GroupParts& parts, const Object& object, Vec3 group_motion) {
+    const Vec3 motion = group_motion + object.motion;
+    const Affine& placement = scene_.placements[object.placement];
+    if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
+      for (const Object& member : (*group)->objects) add(parts, member, motion);
+    } else if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+      world_.instance_count++;
+      add_instance(parts, instance->definition, placement, motion);
+    } else if (const auto* range = std::get_if<TriangleRange>(&object.shape)) {
+      add_triangles(parts, *range, object.surface, motion);
+    } else {
+      world_.shape_count++;
+      note_texture(object.surface);
+      Leaf leaf;
+      leaf.target = object.surface;
+      std::visit([&](const auto& shape) { place_shape(parts, leaf, shape, placement, motion); }, object.shape);
+    }
+  }
+
+  void note_texture(std::uint32_t surface) {
+    world_.has_textures |= scene_.surfaces[surface].texture == Texture::noise;
+  }
+
+  void add_instance(GroupParts& parts, std::uint32_t definition, const Affine& placement, Vec3 motion) {
+    const Object& object = scene_.definitions[definition];
+    if (add_as_single_shape(parts, object, placement, motion)) return;
+    std::uint32_t group = group_of_definition_[definition];
+    if (group == no_group) {
+      group = static_cast<std::uint32_t>(world_.groups.size());
+      world_.groups.emplace_back();
+      build_group(group, {object});
+      group_of_definition_[definition] = group;
+    }
+    const Bounds inner = group_bounds_[group];
+    if (is_empty(inner)) return;
+    Leaf leaf;
+    leaf.kind = LeafKind::instance;
+    leaf.target = group;
+    leaf.placement = add_placement(placement);
+    leaf.data[0] = static_cast<float>(row_sum(placement));
+    const double reach = row_sum(placement) * group_magnitude_[group] + max_component(abs(placement.translation));
+    add_leaf(parts, leaf, transform(placement, inner), motion, instance_cost, reach);
+  }
+
+  // An instance of one analytic shape is that shape under the product of the matrices, unless its texture needs the
+  // space between the two.
+  bool add_as_single_shape(GroupParts& parts, const Object& object, const Affine& placement, Vec3 motion) {
+    if (std::holds_alternative<TriangleRange>(object.shape) || std::holds_alternative<Instance>(object.shape) ||
+        std::holds_alternative<std::shared_ptr<const Group>>(object.shape)) {
+      return false;
+    }
+    if (scene_.surfaces[object.surface].texture != Texture::none) return false;
+    world_.shape_count++;
+    Leaf leaf;
+    leaf.target = object.surface;
+    const Affine product = placement * scene_.placements[object.placement];
+    const Vec3 total_motion = motion + transform_vector(placement, object.motion);
+    std::visit([&](const auto& shape) { place_shape(parts, leaf, shape, product, total_motion); }, object.shape);
+    return true;
+  }
+
+  void place_shape(GroupParts& parts, Leaf leaf, const Sphere& s, const Affine& m, Vec3 motion) {
+    if (const auto scale = uniform_scale(m)) {
+      const Sphere moved{transform_point(m, s.center), s.radius * *scale};
+      set_sphere(leaf, moved);
+      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
+    } else {
+      set_sphere(leaf, s);
+      add_placed(parts, leaf, s, m, motion);
+    }
+  }
+  void place_shape(GroupParts& parts, Leaf leaf, const Box& b, const Affine& m, Vec3 motion) {
+    if (maps_axes_to_axes(m)) {
+      const Vec3 p = transform_point(m, b.lo);
+      const Vec3 q = transform_point(m, b.hi);
+      const Box moved{min(p, q), max(p, q)};
+      set_box(leaf, moved);
+      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
+    } else {
+      set_box(leaf, b);
+      add_placed(parts, leaf, b, m, motion);
+    }
+  }
+  void place_shape(GroupParts& parts, Leaf leaf, const Cylinder& c, const Affine& m, Vec3 motion) {
+    if (const auto scale = uniform_scale_round_y(m)) {
+      const Vec3 p = transform_point(m, {c.x, c.y_min, c.z});
+      const Vec3 q = transform_point(m, {c.x, c.y_max, c.z});
+      const Cylinder moved{c.radius * *scale, p.x, p.z, std::min(p.y, q.y), std::max(p.y, q.y), c.capped};
+      set_cylinder(leaf, moved);
+      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
+    } else {
+      set_cylinder(leaf, c);
+      add_placed(parts, leaf, c, m, motion);
+    }
+  }
+  template <typename Shape>
+  void place_shape(GroupParts&, Leaf, const Shape&, const Affine&, Vec3) {}  // other kinds never come here
+
+  template <typename Shape>
+  void add_placed(GroupParts& parts, Leaf leaf, const Shape& shape, const Affine& m, Vec3 motion) {
+    leaf.placement = add_placement(m);
+    const double reach = row_sum(m) * magnitude(bounds_of(shape)) + max_component(abs(m.translation));
+    add_leaf(parts, leaf, transformed_bounds(m, shape), motion, placed_cost, reach);
+  }
+
+  std::uint32_t add_placement(const Affine& m) {
+    world_.placements.push_back(make_placement(m));
+    return static_cast<std::uint32_t>(world_.placements.size() - 1);
+  }
+
+  // `bounds` at time 0; `reach` is the largest coordinate met on the way to a hit, if larger than the bounds'.
+  void add_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach = 0) {
+    leaf.order = parts.order++;
+    add_ordered_leaf(parts, leaf, bounds, motion, cost, reach);
+  }
+  void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
+    set3(leaf.motion, motion);
+    const Bounds over_shutter =
+        include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));
+    const double largest = std::max({magnitude(bounds), magnitude(over_shutter), reach});
+    leaf.magnitude = static_cast<float>(largest);
+    parts.items.push_back(
+        {grow(over_shutter, largest * bounds_margin + DBL_MIN), static_cast<std::uint32_t>(parts.leaves.size()), cost});
+    parts.leaves.push_back(leaf);
+  }
+
+  void add_triangles(GroupParts& parts, TriangleRange range, std::uint32_t surface, Vec3 motion) {
+    world_.triangle_count += range.count;
+    note_texture(surface);
+    const std::uint32_t order = parts.order;
+    parts.order += range.count;
+    if (motion == Vec3{}) {
+      parts.runs.push_back({range, order, surface});
+    } else if (range.count >= options_.embree_threshold) {
+      add_mesh(parts, {{range, order, surface}}, motion);
+    } else {
+      add_single_triangles(parts, {range, order, surface}, motion);
+    }
+  }
+
+  // Joins the static runs that follow each other; long ones go to Embree together, the rest to our BVH.
+  void deal_triangles(GroupParts& parts) {
+    std::vector<GroupParts::Run> large;
+    for (std::size_t begin = 0; begin < parts.runs.size();) {
+      std::size_t end = begin + 1;
+      std::uint64_t count = parts.runs[begin].range.count;
+      while (end < parts.runs.size() && follows(parts.runs[end - 1], parts.runs[end])) {
+        count += parts.runs[end++].range.count;
+      }
+      for (std::size_t i = begin; i < end; i++) {
+        if (count >= options_.embree_threshold) {
+          large.push_back(parts.runs[i]);
+        } else {
+          add_single_triangles(parts, parts.runs[i], {});
+        }
+      }
+      begin = end;
+    }
+    if (!large.empty()) add_mesh(parts, large, {});
+  }
+
+  static bool follows(const GroupParts::Run& a, const GroupParts::Run& b) {
+    return b.range.first == a.range.first + a.range.count && b.order == a.order + a.range.count;
+  }
+
+  void add_mesh(GroupParts& parts, const std::vector<GroupParts::Run>& runs, Vec3 motion) {
+    Mesh mesh;
+    std::vector<TriangleRange> ranges;
+    for (std::size_t i = 0; i < runs.size(); i++) {
+      const GroupParts::Run& run = runs[i];
+      const bool joins = i > 0 && follows(runs[i - 1], run);
+      if (!joins) {
+        mesh.chunks.push_back({run.range.first, run.order, run.surface, {}});
+        ranges.push_back({run.range.first, 0});
+      }
+      MeshChunk& chunk = mesh.chunks.back();
+      if (run.surface != chunk.surface || !chunk.surfaces.empty()) {
+        chunk.surfaces.resize(ranges.back().count, chunk.surface);
+        chunk.surfaces.resize(ranges.back().count + run.range.count, run.surface);
+      }
+      ranges.back().count += run.range.count;
+    }
+    Bounds bounds;
+    for (const TriangleRange& range : ranges) bounds = include(bounds, bounds_of(range));
+    mesh.scene = device_.build(*scene_.triangles, ranges);
+    Leaf leaf;
+    leaf.kind = LeafKind::mesh;
+    leaf.order = runs.front().order;
+    leaf.target = static_cast<std::uint32_t>(world_.meshes.size());
+    world_.meshes.push_back(std::move(mesh));
+    add_ordered_leaf(parts, leaf, bounds, motion, mesh_cost, 0);
+  }
+
+  Vec3 vertex(std::uint32_t triangle, int corner) const {
+    const float* p = scene_.triangles->vertices.data() +
+                     std::size_t{3} * scene_.triangles->indices[std::size_t{3} * triangle + corner];
+    return {p[0], p[1], p[2]};
+  }
+
+  Bounds bounds_of(TriangleRange range) const {
+    Bounds b;
+    for (std::uint32_t i = 0; i < range.count; i++) {
+      for (int corner = 0; corner < 3; corner++) b = include(b, vertex(range.first + i, corner));
+    }
+    return b;
+  }
+  static Bounds bounds_of(const Sphere& s) { return penumbra::bounds_of(s); }
+  static Bounds bounds_of(const Box& s) { return penumbra::bounds_of(s); }
+  static Bounds bounds_of(const Cylinder& s) { return penumbra::bounds_of(s); }
+
+  void add_single_triangles(GroupParts& parts, const GroupParts::Run& run, Vec3 motion) {
+    for (std::uint32_t i = 0; i < run.range.count; i++) {
+      const std::uint32_t triangle = run.range.first + i;
+      const Vec3 a = vertex(triangle, 0);
+      const Vec3 b = vertex(triangle, 1);
+      const Vec3 c = vertex(triangle, 2);
+      const Vec3 normal = cross(b - a, c - a);
+      if (!(length(normal) > 0)) continue;  // a triangle without area is never hit
+      Leaf leaf;
+      leaf.kind = LeafKind::triangle;
+      leaf.order = run.order + i;
+      leaf.target = run.surface;
+      set3(leaf.data, a);
+      set3(leaf.data + 3, b);
+      set3(leaf.data + 6, c);
+      set3(leaf.data + 9, normalize(normal));
+      add_ordered_leaf(parts, leaf, bounds_of(TriangleRange{triangle, 1}), motion, shape_cost, 0);
+    }
+  }
+
+  const Scene& scene_;
+  const WorldOptions options_;
+  EmbreeDevice device_;
+  World world_;
+  std::vector<std::uint32_t> group_of_definition_;
+  std::vector<Bounds> group_bounds_;
+  std::vector<double> group_magnitude_;
+};
+
+}  // namespace
+
+World build_world(const Scene& scene, const WorldOptions& options) { return WorldBuilder(scene, options).build(); }
+
+}  // namespace penumbra

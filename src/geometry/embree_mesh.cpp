@@ -1,0 +1,46 @@
+#include "geometry/embree_mesh.hpp"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace penumbra {
+namespace {
+
+void check(RTCDevice device) {
+  const RTCError code = rtcGetDeviceError(device);
+  if (code == RTC_ERROR_NONE) return;
+  throw std::runtime_error(code == RTC_ERROR_OUT_OF_MEMORY ? "not enough memory to build the triangle mesh"
+                                                           : fmt::format("Embree failed with error {}", int(code)));
+}
+
+}  // namespace
+
+std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std::span<const TriangleRange> ranges) {
+  if (!device_) {
+    const std::string config = fmt::format("threads={}", threads_);
+    device_.reset(rtcNewDevice(config.c_str()), rtcReleaseDevice);
+    if (!device_) check(nullptr);
+  }
+  RTCDevice device = device_.get();
+  const std::shared_ptr<RTCSceneTy> scene(rtcNewScene(device), [keep = device_](RTCScene s) { rtcReleaseScene(s); });
+  check(device);
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  for (std::size_t i = 0; i < ranges.size(); i++) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, store.vertices.data(), 0, 12,
+                               store.vertices.size() / 3);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, store.indices.data(),
+                               std::size_t{ranges[i].first} * 12, 12, ranges[i].count);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene.get());
+  check(device);
+  return scene;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,129 @@
+// Packets of rays against one Embree mesh. Embree names the triangle; distance, point and normal are computed here, by
+// the arithmetic of our own triangles, so that both rooms agree on what is equally far.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include "geometry/rays.hpp"
+#include "geometry/triangle_kernel.hpp"
+
+namespace penumbra::PENUMBRA_KERNEL {
+
+#if PENUMBRA_LANES == 16
+using EmbreeRays = RTCRay16;
+using EmbreeRayHits = RTCRayHit16;
+inline constexpr auto embree_intersect = rtcIntersect16;
+inline constexpr auto embree_occluded = rtcOccluded16;
+#elif PENUMBRA_LANES == 8
+using EmbreeRays = RTCRay8;
+using EmbreeRayHits = RTCRayHit8;
+inline constexpr auto embree_intersect = rtcIntersect8;
+inline constexpr auto embree_occluded = rtcOccluded8;
+#else
+using EmbreeRays = RTCRay4;
+using EmbreeRayHits = RTCRayHit4;
+inline constexpr auto embree_intersect = rtcIntersect4;
+inline constexpr auto embree_occluded = rtcOccluded4;
+#endif
+
+// Embree is asked a little further than the nearest hit so far, so that a tie is never lost to its rounding.
+inline constexpr float tie_margin = 1.0f + 1.0f / (1 << 19);
+
+PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest) {
+  store(out.org_x, rays.origin.x);
+  store(out.org_y, rays.origin.y);
+  store(out.org_z, rays.origin.z);
+  store(out.dir_x, rays.direction.x);
+  store(out.dir_y, rays.direction.y);
+  store(out.dir_z, rays.direction.z);
+  store(out.tnear, rays.nearest);
+  store(out.tfar, farthest);
+  store(out.time, Floats(0));
+  store(out.mask, Ints(0xffffffffu));
+  store(out.flags, Ints(0u));
+}
+
+PENUMBRA_INLINE RTCIntersectContext embree_context(const Rays& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (rays.coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
+}
+
+// The corners of the triangles that Embree found, relative to nothing: in the space of the mesh.
+struct MeshTriangles {
+  Float3 a, b, c;
+  Ints surface, order;
+};
+
+inline MeshTriangles triangles_found(const World& world, const Mesh& mesh, const std::uint32_t* geometry,
+                                     const std::uint32_t* primitive, Mask found) {
+  alignas(64) float corner[9][lane_count] = {};
+  alignas(64) std::uint32_t surface[lane_count] = {};
+  alignas(64) std::uint32_t order[lane_count] = {};
+  for (std::uint32_t open = bits(found); open != 0; open &= open - 1) {
+    const int lane = __builtin_ctz(open);
+    const MeshChunk& chunk = mesh.chunks[geometry[lane]];
+    const std::uint32_t* index = world.triangles->indices.data() + std::size_t{3} * (chunk.first + primitive[lane]);
+    for (int k = 0; k < 3; k++) {
+      const float* p = world.triangles->vertices.data() + std::size_t{3} * index[k];
+      for (int axis = 0; axis < 3; axis++) corner[3 * k + axis][lane] = p[axis];
+    }
+    surface[lane] = chunk.surfaces.empty() ? chunk.surface : chunk.surfaces[primitive[lane]];
+    order[lane] = chunk.order + primitive[lane];
+  }
+  const auto corner_at = [&](int k) {
+    return Float3{load(corner[3 * k]), load(corner[3 * k + 1]), load(corner[3 * k + 2])};
+  };
+  return {corner_at(0), corner_at(1), corner_at(2), load(surface), load(order)};
+}
+
+// Fills in the lanes whose nearest hit is in this mesh, and tells which. Rays are in the space of the mesh.
+inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& rays, Mask active, Hits& hits) {
+  const Mesh& mesh = world.meshes[leaf.target];
+  alignas(64) EmbreeRayHits query;
+  fill(query.ray, rays, hits.distance * Floats(tie_margin));
+  const Ints invalid = Ints(RTC_INVALID_GEOMETRY_ID);
+  store(query.hit.geomID, invalid);
+  store(query.hit.instID[0], invalid);
+  alignas(64) std::uint32_t valid[lane_count];
+  store(valid, lane_bits(active));
+  RTCIntersectContext context = embree_context(rays);
+  embree_intersect(reinterpret_cast<const int*>(valid), mesh.scene.get(), &context, &query);
+  const Mask found = active & ~(load(query.hit.geomID) == invalid);
+  if (none(found)) return found;
+
+  const MeshTriangles triangles = triangles_found(world, mesh, query.hit.geomID, query.hit.primID, found);
+  const Float3 normal = normalize(cross(triangles.b - triangles.a, triangles.c - triangles.a));
+  const Floats cosine = dot(normal, rays.direction);
+  const Floats plane = dot(normal, triangles.a - rays.origin) / cosine;
+  const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));
+  const Floats distance = select(grazing | ~(plane > Floats(0)), load(query.ray.tfar), plane);
+  const Mask nearer =
+      found & ((distance < hits.distance) | ((distance == hits.distance) & (triangles.order < hits.order)));
+  Float3 point = rays.origin + rays.direction * distance;
+  point = point - normal * dot(normal, point - triangles.a);
+  hits.distance = select(nearer, distance, hits.distance);
+  hits.order = select(nearer, triangles.order, hits.order);
+  hits.point = select(nearer, point, hits.point);
+  hits.normal = select(nearer, normal, hits.normal);
+  hits.surface = select(nearer, triangles.surface, hits.surface);
+  hits.texture_point = select(nearer, point, hits.texture_point);
+  hits.magnitude = select(nearer, Floats(leaf.magnitude), hits.magnitude);
+  hits.two_sided |= nearer;
+  hits.found |= nearer;
+  return nearer;
+}
+
+// Which of the active rays meet a triangle of the mesh nearer than `farthest`.
+inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays, Floats farthest, Mask active) {
+  alignas(64) EmbreeRays query;
+  fill(query, rays, farthest);
+  alignas(64) std::uint32_t valid[lane_count];
+  store(valid, lane_bits(active));
+  RTCIntersectContext context = embree_context(rays);
+  embree_occluded(reinterpret_cast<const int*>(valid), world.meshes[leaf.target].scene.get(), &context, &query);
+  return active & (load(query.tfar) < Floats(0));
+}
+
+}  // namespace penumbra::PENUMBRA_KERNEL

@@ -1,0 +1,62 @@
+// A packet of rays, and what the world answers about it.
+#pragma once
+
+#include "base/lane_math.hpp"
+#include "geometry/world.hpp"
+
+namespace penumbra::PENUMBRA_KERNEL {
+
+struct Rays {
+  Float3 origin;
+  Float3 direction;       // unit length in the world; any length behind a placement
+  Floats time;            // of the shutter
+  Floats nearest{0.0f};   // hits at this distance or nearer do not count: where the ray starts, surfaces may touch
+  bool unit = true;       // the directions have length one
+  bool coherent = false;  // the rays run close together: a hint for Embree
+};
+
+// What the rays hit first. The lanes in `found` are filled in; points and normals are in the space of the rays.
+struct Hits {
+  Floats distance;  // along the direction; in: the farthest that counts (exclusive), out: of the hit
+  Ints order;       // of the leaf that was hit, for ties
+  Mask found;
+  Float3 point;   // put back on the exact surface
+  Float3 normal;  // outward, unit length in the world
+  Ints surface;
+  Mask two_sided;        // a triangle: shading turns its normal to the viewer
+  Float3 texture_point;  // in the space where the shape was defined
+  Floats magnitude;      // largest coordinate met on the way to the point: the scale of its rounding error
+
+  PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false), two_sided(false) {
+    const Float3 zero{0.0f, 0.0f, 0.0f};
+    point = normal = texture_point = zero;
+    surface = Ints(0u);
+    magnitude = Floats(0);
+  }
+};
+
+PENUMBRA_INLINE Float3 multiply(const float* rows, Float3 v) {
+  return {v.x * Floats(rows[0]) + v.y * Floats(rows[1]) + v.z * Floats(rows[2]),
+          v.x * Floats(rows[3]) + v.y * Floats(rows[4]) + v.z * Floats(rows[5]),
+          v.x * Floats(rows[6]) + v.y * Floats(rows[7]) + v.z * Floats(rows[8])};
+}
+PENUMBRA_INLINE Float3 multiply_transposed(const float* rows, Float3 v) {
+  return {v.x * Floats(rows[0]) + v.y * Floats(rows[3]) + v.z * Floats(rows[6]),
+          v.x * Floats(rows[1]) + v.y * Floats(rows[4]) + v.z * Floats(rows[7]),
+          v.x * Floats(rows[2]) + v.y * Floats(rows[5]) + v.z * Floats(rows[8])};
+}
+
+// The rays as the leaf sees them: its motion undone at each ray's time, then its placement.
+PENUMBRA_INLINE Float3 local_origin(const World& world, const Leaf& leaf, const Rays& rays) {
+  Float3 origin = rays.origin;
+  if (leaf.moves()) origin = origin - broadcast3(leaf.motion) * rays.time;
+  if (leaf.placement == no_placement) return origin;
+  const Placement& placement = world.placements[leaf.placement];
+  return multiply(placement.inverse, origin - broadcast3(placement.translation));
+}
+PENUMBRA_INLINE Float3 local_direction(const World& world, const Leaf& leaf, const Rays& rays) {
+  if (leaf.placement == no_placement) return rays.direction;
+  return multiply(world.placements[leaf.placement].inverse, rays.direction);
+}
+
+}  // namespace penumbra::PENUMBRA_KERNEL

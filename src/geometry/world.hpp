@@ -1,0 +1,104 @@
+// The geometry of a scene, ready to be asked: what does a ray hit first, and is anything in its way. Plain arrays in
+// single precision, built once (build_world) and read by all threads.
+//
+// Two rooms stand behind the two questions: a packet BVH of our own for analytic shapes and small groups of triangles,
+// and Embree for large static triangle meshes. Groups of `begin_list` are taken apart; named objects that hold a group
+// stay whole, and an instance leaf carries the rays into their space.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+struct RTCSceneTy;
+
+namespace penumbra {
+
+enum class LeafKind : std::uint8_t { sphere, box, cylinder, hollow_cylinder, triangle, mesh, instance };
+
+inline constexpr std::uint32_t no_placement = 0xffffffffu;
+
+// One shape of a group, in the space of the group (or of its placement, where it has one).
+struct Leaf {
+  LeafKind kind = LeafKind::sphere;
+  std::uint32_t order = 0;   // at equal distance the lower one wins
+  std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
+  std::uint32_t placement = no_placement;
+  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
+  float magnitude = 0;          // largest coordinate, in absolute value, on the way to a hit point
+  // sphere: centre, radius · box: lo, hi · cylinders: x, z, radius, y_min, y_max
+  // triangle: three corners, unit normal along (B-A)x(C-A) · instance: largest row sum of |M_ij|
+  float data[12] = {};
+
+  bool moves() const { return motion[0] != 0 || motion[1] != 0 || motion[2] != 0; }
+};
+
+// group = linear * local + translation, and back: local = inverse * (group - translation). Matrices row by row.
+struct Placement {
+  float linear[9];
+  float inverse[9];
+  float translation[3];
+};
+
+// A node's child: an inner node (its index), or a run of leaves: top bit set, then 5 bits of count, 26 bits of first.
+using NodeReference = std::uint32_t;
+inline constexpr std::uint32_t max_leaves_in_node = 31;
+constexpr NodeReference leaf_reference(std::uint32_t first, std::uint32_t count) {
+  return 0x80000000u | (count << 26) | first;
+}
+constexpr bool is_leaf(NodeReference r) { return (r & 0x80000000u) != 0; }
+constexpr std::uint32_t leaf_first(NodeReference r) { return r & 0x03ffffffu; }
+constexpr std::uint32_t leaf_count(NodeReference r) { return (r >> 26) & 31u; }
+
+// Both children's bounds side by side: bounds[child] = lo.x, lo.y, lo.z, hi.x, hi.y, hi.z.
+struct alignas(64) Node {
+  float bounds[2][6];
+  NodeReference child[2];
+};
+
+struct WorldGroup {
+  NodeReference root = leaf_reference(0, 0);
+  bool has_triangles = false;
+};
+
+// Triangles of the store that follow each other both there and in the order of the file.
+struct MeshChunk {
+  std::uint32_t first = 0;              // triangle of the store
+  std::uint32_t order = 0;              // of the first triangle; the next ones count up
+  std::uint32_t surface = 0;            // of all of them, where `surfaces` is empty
+  std::vector<std::uint32_t> surfaces;  // one for each triangle, where they differ
+};
+
+// One Embree scene: the large static triangle runs of one group; Embree's geometry k is chunk k.
+struct Mesh {
+  std::shared_ptr<RTCSceneTy> scene;
+  std::vector<MeshChunk> chunks;
+};
+
+struct World {
+  std::vector<Node> nodes;
+  std::vector<Leaf> leaves;
+  std::vector<Placement> placements;
+  std::vector<WorldGroup> groups;  // [0] is the whole scene
+  std::vector<Mesh> meshes;
+  std::shared_ptr<const TriangleStore> triangles;
+  bool has_textures = false;  // texture points are wanted
+
+  std::uint64_t shape_count = 0;     // analytic shapes, each definition counted once
+  std::uint64_t triangle_count = 0;  // likewise
+  std::uint64_t instance_count = 0;
+};
+
+struct WorldOptions {
+  double shutter_open = 0;
+  double shutter_close = 1;
+  int threads = 1;
+  std::uint32_t embree_threshold = 4096;  // runs of at least so many static triangles go to Embree
+};
+
+// Flattens, bounds and sorts the scene into a World. Throws std::runtime_error if Embree fails or memory runs out.
+World build_world(const Scene& scene, const WorldOptions& options);
+
+}  // namespace penumbra

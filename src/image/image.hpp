@@ -1,0 +1,65 @@
+// What a picture is, in memory: plain data, no code that reads, writes or renders. Colours are the scene's numbers in
+// float, unclamped; rows run from the top, and the window tells which part of the full picture the pixels are.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra {
+
+// Colours of width x height pixels, row by row from the top, three floats a pixel: r, g, b.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<float> rgb;
+
+  bool operator==(const Image&) const = default;
+};
+
+// A black image.
+inline Image make_image(int width, int height) {
+  return {width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
+}
+
+// One more number for each pixel of an image, row by row from the top: `depth.Z`, `normal.X`, ...
+struct Channel {
+  std::string name;
+  std::vector<float> values;
+
+  bool operator==(const Channel&) const = default;
+};
+
+// Pixels x0..x1-1, y0..y1-1 of a picture, counted from its top-left pixel.
+struct Window {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  bool operator==(const Window&) const = default;
+};
+
+// Keys and values in words: the scene, the options that change the picture, the version. Keys have 1-60 letters,
+// digits,
+// `_` or `-`; values are UTF-8.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+// A picture as a file holds it.
+struct ImageFile {
+  Image image;                          // the pixels of the window
+  Window window;                        // where they are in the full picture; a PNG does not keep this
+  int full_width = 0, full_height = 0;  // size of the full picture
+  std::vector<Channel> layers;          // of the window's size; EXR only
+  Metadata metadata;
+};
+
+// Whether the window is not the full picture.
+inline bool is_crop(const ImageFile& file) { return file.window != Window{0, 0, file.full_width, file.full_height}; }
+
+// The file of an image that is a full picture.
+inline ImageFile whole_picture(Image image, Metadata metadata = {}) {
+  const int width = image.width, height = image.height;
+  return {std::move(image), {0, 0, width, height}, width, height, {}, std::move(metadata)};
+}
+
+}  // namespace penumbra

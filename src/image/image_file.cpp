@@ -1,0 +1,51 @@
+// See image_file.hpp.
+#include "image/image_file.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/atomic_file.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+
+namespace penumbra {
+
+ImageFormat format_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending == ".png" ? ImageFormat::png : ending == ".exr" ? ImageFormat::exr : ImageFormat::none;
+}
+
+std::vector<std::byte> encode_image(const ImageFile& file, ImageFormat format, const Quantization& quantization) {
+  switch (format) {
+    case ImageFormat::png:
+      return encode_png(file.image, file.metadata, quantization.bits, quantization.rounding);
+    case ImageFormat::exr:
+      return encode_exr(file);
+    case ImageFormat::none:
+      break;
+  }
+  throw FileError(EX_CANTCREAT, "cannot write a picture in a format that is neither PNG nor EXR");
+}
+
+void write_image(const std::filesystem::path& path, const ImageFile& file, const Quantization& quantization) {
+  const ImageFormat format = format_of(path);
+  if (format == ImageFormat::none) {
+    throw FileError(EX_CANTCREAT,
+                    fmt::format("cannot write `{}`: a picture's name must end in .png or .exr", path.string()));
+  }
+  write_file_atomically(path, encode_image(file, format, quantization));
+}
+
+ImageFile read_image(const std::filesystem::path& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  if (is_png(bytes)) return decode_png(bytes, path.string());
+  if (is_exr(bytes)) return decode_exr(bytes, path.string());
+  throw FileError(EX_DATAERR, fmt::format("`{}` is neither a PNG nor an EXR file", path.string()));
+}
+
+}  // namespace penumbra

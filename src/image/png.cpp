@@ -1,0 +1,252 @@
+// PNG on libpng: see png.hpp. libpng reports errors by longjmp, so each run of its calls stands in a function of its
+// own that has no object with a destructor; what must be freed belongs to the caller.
+#include "image/png.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
+
+#include "base/atomic_file.hpp"
+#include "image/limits.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view key_prefix = "penumbra:";
+
+// libpng's own words for an error, kept until the C frames are left.
+using Message = std::array<char, 200>;
+
+void keep_message(png_structp png, png_const_charp message) {
+  auto* kept = static_cast<Message*>(png_get_error_ptr(png));
+  std::strncpy(kept->data(), message, kept->size() - 1);
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+// ---------------------------------------------------------------------------------------------------------- writing
+
+struct Writer {
+  Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)) {
+    if (png) info = png_create_info_struct(png);
+  }
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  Message message{};
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::vector<std::byte> bytes;
+};
+
+void append_bytes(png_structp png, png_bytep data, std::size_t size) {
+  auto& bytes = *static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
+  bool appended = true;
+  try {
+    const auto* first = reinterpret_cast<const std::byte*>(data);
+    bytes.insert(bytes.end(), first, first + size);
+  } catch (const std::exception&) {
+    appended = false;
+  }
+  if (!appended) png_error(png, "not enough memory");
+}
+
+void nothing_to_flush(png_structp) {}
+
+// False after an error; the writer then has its message.
+bool write_picture(Writer& writer, int width, int height, int bits, png_text* text, int text_count, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(writer.png))) return false;
+  png_set_write_fn(writer.png, &writer.bytes, append_bytes, nothing_to_flush);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
+               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Chosen for speed: of levels 1-3 with the filters none, sub and up on rendered 300 x 300 pictures, level 1 with sub
+  // takes 0.8-1.5 ms and makes files 5-25 % smaller than without a filter at up to 0.15 ms less; level 3 saves another
+  // 10-20 % for 1.4 times the time; the strategies RLE and Huffman-only are larger and no faster.
+  png_set_compression_level(writer.png, 1);
+  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  if (text_count > 0) png_set_text(writer.png, writer.info, text, text_count);
+  png_write_info(writer.png, writer.info);
+  png_write_image(writer.png, rows);
+  png_write_end(writer.png, nullptr);
+  return true;
+}
+
+std::vector<png_byte> quantized(const std::vector<float>& values, int bits, Rounding rounding) {
+  std::vector<png_byte> samples(values.size() * static_cast<std::size_t>(bits / 8));
+  if (bits == 8) {
+    std::transform(values.begin(), values.end(), samples.begin(), [&](float v) { return quantize_8(v, rounding); });
+    return samples;
+  }
+  for (std::size_t i = 0; i < values.size(); i++) {
+    const std::uint16_t sample = quantize_16(values[i], rounding);
+    samples[2 * i] = static_cast<png_byte>(sample >> 8);
+    samples[2 * i + 1] = static_cast<png_byte>(sample & 255);
+  }
+  return samples;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+// ---------------------------------------------------------------------------------------------------------- reading
+
+struct Reader {
+  explicit Reader(std::span<const std::byte> all)
+      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)), rest(all) {
+    if (png) info = png_create_info_struct(png);
+  }
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  Message message{};
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::span<const std::byte> rest;
+};
+
+void take_bytes(png_structp png, png_bytep data, std::size_t size) {
+  auto& rest = *static_cast<std::span<const std::byte>*>(png_get_io_ptr(png));
+  if (size > rest.size()) png_error(png, "the file ends too early");
+  std::memcpy(data, rest.data(), size);
+  rest = rest.subspan(size);
+}
+
+// Whether all chunks up to the last lie within the file. libpng reserves memory for a chunk before it reads it: 2 GB if
+// a damaged length says so.
+bool has_all_chunks(std::span<const std::byte> bytes) {
+  std::size_t at = 8;
+  while (bytes.size() >= at + 12) {
+    std::size_t length = 0;
+    for (std::size_t i = at; i < at + 4; i++) length = length * 256 + static_cast<std::size_t>(bytes[i]);
+    if (length > bytes.size() - at - 12) return false;
+    if (std::memcmp(&bytes[at + 4], "IEND", 4) == 0) return true;
+    at += length + 12;
+  }
+  return false;
+}
+
+bool read_header(Reader& reader) {
+  if (setjmp(png_jmpbuf(reader.png))) return false;
+  png_set_read_fn(reader.png, &reader.rest, take_bytes);
+  png_set_user_limits(reader.png, largest_image_side, largest_image_side);
+  png_set_chunk_malloc_max(reader.png, 1 << 23);
+  png_read_info(reader.png, reader.info);
+  return true;
+}
+
+// Asks for RGB of 8 or 16 bits whatever the file has.
+bool choose_output(Reader& reader) {
+  if (setjmp(png_jmpbuf(reader.png))) return false;
+  png_set_expand(reader.png);
+  png_set_strip_alpha(reader.png);
+  png_set_gray_to_rgb(reader.png);
+  png_set_interlace_handling(reader.png);
+  png_read_update_info(reader.png, reader.info);
+  return true;
+}
+
+bool read_rows(Reader& reader, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(reader.png))) return false;
+  png_read_image(reader.png, rows);
+  png_read_end(reader.png, reader.info);
+  return true;
+}
+
+std::vector<png_bytep> row_pointers(std::vector<png_byte>& samples, int height) {
+  const std::size_t stride = samples.size() / static_cast<std::size_t>(height);
+  std::vector<png_bytep> rows(static_cast<std::size_t>(height));
+  for (std::size_t y = 0; y < rows.size(); y++) rows[y] = samples.data() + y * stride;
+  return rows;
+}
+
+std::vector<float> colours_of(const std::vector<png_byte>& samples, int bits) {
+  std::vector<float> values(samples.size() / static_cast<std::size_t>(bits / 8));
+  for (std::size_t i = 0; i < values.size(); i++) {
+    values[i] = bits == 8 ? static_cast<float>(samples[i]) / 255.0f
+                          : static_cast<float>(samples[2 * i] * 256 + samples[2 * i + 1]) / 65535.0f;
+  }
+  return values;
+}
+
+Metadata metadata_of(const Reader& reader) {
+  png_textp text = nullptr;
+  int count = 0;
+  png_get_text(reader.png, reader.info, &text, &count);
+  Metadata metadata;
+  for (int i = 0; i < count; i++) {
+    const std::string_view key = text[i].key;
+    if (key.starts_with(key_prefix)) metadata.emplace_back(key.substr(key_prefix.size()), text[i].text);
+  }
+  return metadata;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png(const Image& image, const Metadata& metadata, int bits, Rounding rounding) {
+  require_image_size(image.width, image.height, image.rgb.size(), 3);
+  require_metadata_keys(metadata);
+  if (bits != 8 && bits != 16) throw FileError(EX_SOFTWARE, fmt::format("a PNG cannot have {} bits a colour", bits));
+  std::vector<png_byte> samples = quantized(image.rgb, bits, rounding);
+  std::vector<png_bytep> rows = row_pointers(samples, image.height);
+  std::vector<std::string> keys;
+  for (const auto& entry : metadata) keys.push_back(std::string(key_prefix) + entry.first);
+  std::vector<png_text> text(metadata.size());
+  for (std::size_t i = 0; i < metadata.size(); i++) {
+    const std::string& value = metadata[i].second;
+    text[i].compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text[i].key = keys[i].data();
+    text[i].text = const_cast<char*>(value.c_str());  // libpng only reads it
+    text[i].text_length = value.size();
+  }
+
+  Writer writer;
+  if (!writer.info) throw FileError(EX_SOFTWARE, "cannot make a PNG: not enough memory");
+  writer.bytes.reserve(samples.size() / 2 + 4096);
+  if (!write_picture(writer, image.width, image.height, bits, text.data(), static_cast<int>(text.size()),
+                     rows.data())) {
+    throw FileError(EX_SOFTWARE, fmt::format("cannot make a PNG: {}", writer.message.data()));
+  }
+  return std::move(writer.bytes);
+}
+
+bool is_png(std::span<const std::byte> bytes) {
+  return bytes.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
+}
+
+ImageFile decode_png(std::span<const std::byte> bytes, const std::string& name) {
+  Reader reader(bytes);
+  const auto damaged = [&](std::string_view why) {
+    return FileError(EX_DATAERR, fmt::format("`{}` is not a good PNG file: {}", name, why));
+  };
+  if (!reader.info) throw damaged("not enough memory to read it");
+  if (!is_png(bytes)) throw damaged("it does not begin like one");
+  if (!has_all_chunks(bytes)) throw damaged("the file ends too early");
+  if (!read_header(reader)) throw damaged(reader.message.data());
+  const int width = static_cast<int>(png_get_image_width(reader.png, reader.info));
+  const int height = static_cast<int>(png_get_image_height(reader.png, reader.info));
+  const std::uint64_t raw_bits = std::uint64_t{png_get_bit_depth(reader.png, reader.info)} *
+                                 png_get_channels(reader.png, reader.info) * static_cast<std::uint64_t>(width) *
+                                 static_cast<std::uint64_t>(height);
+  if (!is_plausible_size(width, height, raw_bits / 8, bytes.size())) {
+    throw damaged(fmt::format("it says it has {} x {} pixels", width, height));
+  }
+
+  if (!choose_output(reader)) throw damaged(reader.message.data());
+  const int bits = png_get_bit_depth(reader.png, reader.info);
+  std::vector<png_byte> samples(png_get_rowbytes(reader.png, reader.info) * static_cast<std::size_t>(height));
+  std::vector<png_bytep> rows = row_pointers(samples, height);
+  if (!read_rows(reader, rows.data())) throw damaged(reader.message.data());
+  return whole_picture({width, height, colours_of(samples, bits)}, metadata_of(reader));
+}
+
+}  // namespace penumbra

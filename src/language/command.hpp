@@ -1,0 +1,110 @@
+// What a command of the language is: its name, what may follow it, one line of help, and what it does.
+// Everything that knows commands (reading, messages, hints, the reference page) works from one table of these.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/vec.hpp"
+#include "language/diagnostic_list.hpp"
+#include "language/number.hpp"
+#include "language/text_lines.hpp"
+
+namespace penumbra {
+
+enum class Kind : std::uint8_t { number, whole_number, name, file };
+
+// One argument and, for numbers, the range it has to be in.
+struct Argument {
+  std::string_view name;
+  Kind kind = Kind::number;
+  double low = -largest_number;
+  double high = largest_number;
+  bool above_low = false;   // `low` itself is out
+  bool below_high = false;  // `high` itself is out
+
+  bool is_number() const { return kind == Kind::number || kind == Kind::whole_number; }
+};
+
+inline constexpr int most_arguments = 13;
+
+// The arguments of one way to write a command.
+struct Form {
+  std::array<Argument, most_arguments> argument{};
+  int count = 0;
+
+  constexpr Form() = default;
+  constexpr Form(std::initializer_list<Argument> list) {
+    for (const Argument& a : list) argument[static_cast<std::size_t>(count++)] = a;
+  }
+  std::span<const Argument> arguments() const { return {argument.data(), static_cast<std::size_t>(count)}; }
+};
+
+// The ways to write a command: mostly one, at most two that differ in their number of arguments.
+struct Forms {
+  std::array<Form, 2> form{};
+  int count = 1;
+
+  constexpr explicit Forms(const Form& only) : form{only, Form{}} {}
+  constexpr Forms(const Form& first, const Form& second) : form{first, second}, count(2) {}
+  std::span<const Form> all() const { return {form.data(), static_cast<std::size_t>(count)}; }
+};
+
+enum class Section : std::uint8_t { output, camera, sampling, lights, surfaces, shapes, groups, matrix };
+
+struct Call;
+struct Reading;
+using CommandFunction = void (*)(Reading&, const Call&);
+
+struct Command {
+  std::string_view name;
+  Section section;
+  Forms forms;
+  std::string_view help;  // one line, no full stop
+  CommandFunction action;
+  bool in_polygon = true;  // may stand between `begin` and `end`
+};
+
+// A command as it stands in a file, its arguments checked against one of its forms.
+struct Call {
+  const Command& command;
+  const Form& form;
+  std::uint32_t visit;
+  const Line& line;
+  const Words& words;
+  std::array<double, most_arguments> number{};
+
+  double operator[](int i) const { return number[static_cast<std::size_t>(i)]; }
+  int whole(int i) const { return static_cast<int>(number[static_cast<std::size_t>(i)]); }
+  Vec3 vec(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  std::string_view word(int i) const { return words.word[static_cast<std::size_t>(i) + 1]; }
+  Place place() const { return place_of(visit, line, words.word[0]); }
+  Place place_of_argument(int i) const { return place_of(visit, line, word(i)); }
+};
+
+// All commands, in the order of the reference page.
+std::span<const Command> all_commands();
+
+// The command of that name; null if there is none.
+const Command* find_command(std::string_view name);
+
+// The command whose name is nearest to `word`; empty if none is near.
+std::string_view nearest_command(std::string_view word);
+
+// "radius x y z"
+std::string argument_names(const Form& form);
+
+// "4 numbers: radius x y z", or the same for every form: what an error says that the command takes.
+std::string what_it_takes(const Command& command);
+
+// "greater than 0", "a whole number from 1 to 100"; empty if any number will do.
+std::string range_of(const Argument& argument);
+
+// Whether a number is in the range of an argument.
+bool accepts(const Argument& argument, double value);
+
+}  // namespace penumbra

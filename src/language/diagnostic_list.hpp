@@ -1,0 +1,71 @@
+// Collects the findings of one reading over all the files it opens, and puts them into the order in which a reader of
+// the text, files in place of the lines that read them, would meet them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "language/text_lines.hpp"
+
+namespace penumbra {
+
+// A part of a line of one file that was opened. Keeps the line itself, so that it outlives the file.
+struct Place {
+  std::uint32_t visit = 0;  // which opening of a file, see DiagnosticList::open
+  int line = 0;             // 0: the whole file
+  int column = 0;
+  int width = 1;
+  std::string source_line;
+};
+
+class DiagnosticList {
+ public:
+  static constexpr int most_errors = 20;
+  static constexpr int most_warnings = 50;
+
+  // Announces a file that is opened by what stands at `by` (ignored for the first); the result names this opening.
+  std::uint32_t open(std::string file, const Place& by);
+
+  // Adds a finding; of more than can be told only the number is kept.
+  void error(const Place& place, std::string message, std::string hint = {});
+  void warning(const Place& place, std::string message, std::string hint = {});
+
+  bool has_error() const { return errors_ > 0; }
+  // More errors than are told have been found: reading on is of no use.
+  bool is_full() const { return errors_ > most_errors; }
+  const std::string& file_of(const Place& place) const { return visits_[place.visit].file; }
+
+  // All findings in order, none twice.
+  std::vector<Diagnostic> take();
+
+ private:
+  struct Visit {
+    std::string file;
+    std::uint32_t parent;
+    int line, column;  // in the parent
+  };
+  struct Finding {
+    Place place;
+    Severity severity;
+    std::string message, hint;
+  };
+
+  std::vector<std::int64_t> path_to(const Place& place) const;
+  void add(const Place& place, Severity severity, std::string message, std::string hint);
+
+  std::vector<Visit> visits_;
+  std::vector<Finding> findings_;
+  int errors_ = 0;
+  std::int64_t warnings_ = 0;
+};
+
+// The place of `part`, which is a view of a part of `line`.
+Place place_of(std::uint32_t visit, const Line& line, std::string_view part);
+
+// A word of the file as it is quoted in a message: shortened if it is very long, without control characters.
+std::string in_quotes(std::string_view word);
+
+}  // namespace penumbra

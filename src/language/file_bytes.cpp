@@ -1,0 +1,115 @@
+#include "language/file_bytes.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t smallest_mapped = std::size_t{16} << 20;
+constexpr std::size_t release_step = std::size_t{16} << 20;
+
+// Closes a descriptor at the end of a scope.
+struct Descriptor {
+  int number = -1;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+std::string system_message(int code) { return std::generic_category().message(code); }
+
+// Reads up to `size` bytes; a file that shrinks meanwhile gives fewer.
+std::string read_all(int descriptor, std::size_t size, int& error_code) {
+  std::string text(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::read(descriptor, text.data() + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) error_code = errno;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  text.resize(done);
+  return text;
+}
+
+LoadedFile failure(std::string problem) {
+  LoadedFile file;
+  file.problem = std::move(problem);
+  return file;
+}
+
+}  // namespace
+
+FileBytes::FileBytes(std::string text) : text_(std::move(text)) {}
+
+FileBytes FileBytes::from_mapping(void* address, std::size_t size) {
+  FileBytes bytes;
+  bytes.mapped_ = static_cast<char*>(address);
+  bytes.size_ = size;
+  return bytes;
+}
+
+FileBytes::FileBytes(FileBytes&& other) noexcept { *this = std::move(other); }
+
+FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
+  if (this == &other) return *this;
+  unmap();
+  text_ = std::move(other.text_);
+  mapped_ = std::exchange(other.mapped_, nullptr);
+  size_ = std::exchange(other.size_, 0);
+  released_ = std::exchange(other.released_, 0);
+  return *this;
+}
+
+FileBytes::~FileBytes() { unmap(); }
+
+void FileBytes::unmap() {
+  if (mapped_ != nullptr) ::munmap(mapped_, size_);
+  mapped_ = nullptr;
+}
+
+std::string_view FileBytes::view() const {
+  return mapped_ != nullptr ? std::string_view(mapped_, size_) : std::string_view(text_);
+}
+
+void FileBytes::release_before(std::size_t offset) {
+  if (mapped_ == nullptr || offset < released_ + release_step) return;
+  const std::size_t bytes = (offset - released_) / release_step * release_step;
+  ::madvise(mapped_ + released_, bytes, MADV_DONTNEED);
+  released_ += bytes;
+}
+
+LoadedFile load_from_disk(const std::filesystem::path& path) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  if (file.number < 0) return failure(system_message(errno));
+  struct stat status {};
+  if (::fstat(file.number, &status) != 0) return failure(system_message(errno));
+  if (S_ISDIR(status.st_mode)) return failure("it is a folder");
+  if (!S_ISREG(status.st_mode)) return failure("it is not a regular file");
+
+  LoadedFile loaded;
+  loaded.identity = std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size >= smallest_mapped) {
+    void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
+    if (address != MAP_FAILED) {
+      ::madvise(address, size, MADV_SEQUENTIAL);
+      loaded.bytes = FileBytes::from_mapping(address, size);
+      return loaded;
+    }
+  }
+  int error_code = 0;
+  loaded.bytes = FileBytes(read_all(file.number, size, error_code));
+  if (error_code != 0) return failure(system_message(error_code));
+  return loaded;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,51 @@
+// The bytes of one file, read at once or mapped, and the seam through which every file of a scene is opened, so that
+// tests and fuzzers can serve files from memory.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace penumbra {
+
+// Owns the contents of a file. Small files are copied, so that an editor that rewrites one cannot pull it away; large
+// ones are mapped. The view stays valid when the object is moved.
+class FileBytes {
+ public:
+  FileBytes() = default;
+  explicit FileBytes(std::string text);
+  FileBytes(FileBytes&& other) noexcept;
+  FileBytes& operator=(FileBytes&& other) noexcept;
+  ~FileBytes();
+
+  // Takes over a mapping made by mmap.
+  static FileBytes from_mapping(void* address, std::size_t size);
+
+  std::string_view view() const;
+
+  // Says that nothing before `offset` is needed soon, so that the memory of a mapped file does not add to the scene's.
+  void release_before(std::size_t offset);
+
+ private:
+  void unmap();
+
+  std::string text_;
+  char* mapped_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t released_ = 0;
+};
+
+struct LoadedFile {
+  FileBytes bytes;
+  std::string identity;  // equal for two paths that lead to the same file
+  std::string problem;   // why it could not be read; empty if it was
+};
+
+using FileLoader = std::function<LoadedFile(const std::filesystem::path&)>;
+
+// Opens a regular file of the file system.
+LoadedFile load_from_disk(const std::filesystem::path& path);
+
+}  // namespace penumbra

@@ -1,0 +1,56 @@
+// Groups, named objects, their instances, and motion of the last object.
+#include <fmt/format.h>
+
+#include "language/actions.hpp"
+#include "language/near_word.hpp"
+
+namespace penumbra::actions {
+
+void moving_object(Reading& reading, const Call& call) {
+  reading.complain(call.place(), reading.builder.move_last(call.vec(0)));
+}
+
+void begin_group(Reading& reading, const Call& call) {
+  reading.complain(call.place(), reading.builder.open_group(call.command.name, call.place()));
+}
+
+void end_group(Reading& reading, const Call& call) {
+  const ObjectTree& tree = reading.builder.tree();
+  if (tree.open_groups() == 0) {
+    return reading.diagnostics.error(
+        call.place(), fmt::format("`{}` without a `{}` before it", call.command.name,
+                                  call.command.name == "end_list" ? "begin_list" : "begin_accel"));
+  }
+  const OpenGroup& group = tree.innermost();
+  if (call.command.name == "end_list" && group.opener == "begin_accel") {
+    reading.diagnostics.warning(call.place(), fmt::format("`end_list` ends the `begin_accel` in line {}",
+                                                          group.place.line));
+  }
+  if (group.objects.empty()) reading.diagnostics.warning(group.place, "this group is empty");
+  reading.complain(call.place(), reading.builder.close_group());
+}
+
+void named_object(Reading& reading, const Call& call) {
+  const auto& names = reading.builder.tree().names;
+  if (const auto found = names.find(call.word(0)); found != names.end()) {
+    const Place& first = found->second.place;
+    return reading.diagnostics.error(call.place_of_argument(0),
+                                     fmt::format("the name {} is used twice; first at {}:{}", in_quotes(call.word(0)),
+                                                 reading.diagnostics.file_of(first), first.line));
+  }
+  reading.complain(call.place(), reading.builder.name_last(call.word(0), call.place_of_argument(0)));
+}
+
+void instance(Reading& reading, const Call& call) {
+  const auto& names = reading.builder.tree().names;
+  if (names.find(call.word(0)) == names.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [name, named] : names) known.push_back(name);
+    return reading.diagnostics.error(call.place_of_argument(0),
+                                     fmt::format("there is no object with the name {}", in_quotes(call.word(0))),
+                                     did_you_mean(nearest_word(call.word(0), known)));
+  }
+  reading.complain(call.place(), reading.builder.add_instance(call.word(0)));
+}
+
+}  // namespace penumbra::actions

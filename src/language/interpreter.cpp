@@ -1,0 +1,167 @@
+// From a line to the action of its command: finds the command, checks the arguments, and says what is wrong with them.
+// Lines with `vertex`, of which a mesh has millions, take a short cut that ends at the same place.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/near_word.hpp"
+#include "language/number.hpp"
+#include "language/other_programs.hpp"
+#include "language/reading.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view vertex_name = "vertex";
+
+// Reads `vertex x y z` while a polygon is open. False, with nothing done, for any other line and for anything that
+// deserves a message: the long way finds it again.
+bool read_vertex_quickly(SceneBuilder& builder, std::string_view line) {
+  const char* p = line.data();
+  const char* const end = p + line.size();
+  while (p != end && is_blank(*p)) p++;
+  if (static_cast<std::size_t>(end - p) < vertex_name.size()) return false;
+  if (std::memcmp(p, vertex_name.data(), vertex_name.size()) != 0) return false;
+  p += vertex_name.size();
+  double number[3];
+  for (double& value : number) {
+    if (p == end || !is_blank(*p)) return false;
+    while (p != end && is_blank(*p)) p++;
+    const ParsedNumber parsed = parse_number(p, end, value);
+    if (parsed.error != NumberError::none) return false;
+    p = parsed.end;
+  }
+  while (p != end && is_blank(*p)) p++;
+  if (p != end && *p != '#') return false;
+  return builder.in_polygon() && builder.add_vertex({number[0], number[1], number[2]});
+}
+
+void unknown_command(Reading& reading, const Place& place, std::string_view word) {
+  const std::string_view near = nearest_command(word);
+  const bool other = is_command_of_other_programs(word);
+  const std::string name = in_quotes(word);
+  if (reading.options.lenient && (other || near.empty())) {
+    reading.diagnostics.warning(place, fmt::format("{} is no command of this program; the line is skipped", name));
+  } else if (other) {
+    reading.diagnostics.error(place, fmt::format("{} is a command that only other programs know", name),
+                              "--lenient skips such lines with a warning");
+  } else {
+    reading.diagnostics.error(place, fmt::format("unknown command {}", name), did_you_mean(near));
+  }
+}
+
+const Form* form_with(const Command& command, int arguments) {
+  for (const Form& form : command.forms.all()) {
+    if (form.count == arguments) return &form;
+  }
+  return nullptr;
+}
+
+// Says that there are too few or too many arguments, at the first that is too many or at the command.
+void wrong_count(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
+  int most = 0;
+  for (const Form& form : command.forms.all()) most = std::max(most, form.count);
+  const int found = words.count - 1;
+  const auto first_extra = static_cast<std::size_t>(found > most ? most + 1 : 0);
+  reading.diagnostics.error(place_of(visit, line, words.word[first_extra]),
+                            fmt::format("`{}` takes {}; found {}", command.name, what_it_takes(command), found));
+}
+
+bool read_number(Reading& reading, Call& call, int i) {
+  const Argument& argument = call.form.argument[static_cast<std::size_t>(i)];
+  double& value = call.number[static_cast<std::size_t>(i)];
+  const std::string_view word = call.word(i);
+  switch (parse_number(word, value)) {
+    case NumberError::not_a_number:
+      reading.diagnostics.error(call.place_of_argument(i),
+                                fmt::format("`{}` of `{}` has to be a number; found {}", argument.name,
+                                            call.command.name, in_quotes(word)));
+      return false;
+    case NumberError::too_large:
+      reading.diagnostics.error(call.place_of_argument(i), fmt::format("the number {} is too large", in_quotes(word)));
+      return false;
+    case NumberError::none: break;
+  }
+  if (accepts(argument, value)) return true;
+  reading.diagnostics.error(call.place_of_argument(i),
+                            fmt::format("`{}` of `{}` has to be {}; found {}", argument.name, call.command.name,
+                                        range_of(argument), in_quotes(word)));
+  return false;
+}
+
+// An expression may contain blanks, so it is told before the words are counted.
+bool has_expression(Reading& reading, const Line& line, std::uint32_t visit, const Words& words) {
+  for (int i = 1; i < std::min(words.count, Words::most); i++) {
+    const std::string_view word = words.word[static_cast<std::size_t>(i)];
+    if (word.front() != '{') continue;
+    reading.diagnostics.error(place_of(visit, line, word), "numbers written as an {expression} are not there yet");
+    return true;
+  }
+  return false;
+}
+
+void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
+  const bool numeric = command.forms.form[0].count > 0 && command.forms.form[0].argument[0].is_number();
+  if (numeric && has_expression(reading, line, visit, words)) return;
+  const Form* const form = form_with(command, words.count - 1);
+  if (form == nullptr) return wrong_count(reading, command, line, visit, words);
+  Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};
+  bool right = true;
+  for (int i = 0; i < form->count; i++) {
+    if (form->argument[static_cast<std::size_t>(i)].is_number()) right = read_number(reading, call, i) && right;
+  }
+  if (right && !command.in_polygon && reading.builder.in_polygon()) {
+    reading.diagnostics.error(call.place(),
+                              fmt::format("`{}` may not stand between `begin` and `end`; the polygon begun in line {} "
+                                          "is still open",
+                                          command.name, reading.builder.polygon_place().line));
+    right = false;
+  }
+  if (right) command.action(reading, call);
+}
+
+// Remembers the first object that no picture will show if none follows.
+void watch_objects(Reading& reading, std::uint32_t visit, const Line& line, const Words& words) {
+  if (reading.builder.pictures() == 0 || reading.after_pictures) return;
+  if (reading.builder.tree().objects_added() + reading.builder.rects() > reading.objects_in_pictures) {
+    reading.after_pictures = place_of(visit, line, words.word[0]);
+  }
+}
+
+}  // namespace
+
+void interpret_line(Reading& reading, std::uint32_t visit, const Line& line) {
+  if (read_vertex_quickly(reading.builder, line.text)) return;
+  const Words words = split_words(line.text);
+  if (words.count == 0) return;
+  const std::string_view name = words.word[0];
+  if (const Command* command = find_command(name)) {
+    run_command(reading, *command, line, visit, words);
+    watch_objects(reading, visit, line, words);
+  } else {
+    unknown_command(reading, place_of(visit, line, name), name);
+  }
+}
+
+void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit) {
+  const std::string_view text = bytes.view();
+  LineCursor cursor(text);
+  Line line;
+  if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
+    cursor.next(line);
+    reading.diagnostics.error(place_of(visit, Line{{}, 1}, {}), "this is UTF-16 text; save it as UTF-8");
+    return;
+  }
+  TriangleBuilder& triangles = reading.builder.triangles();
+  const ReadProgress outer = triangles.progress();
+  triangles.start_file({0, text.size()});
+  while (!reading.diagnostics.is_full() && cursor.next(line)) {
+    interpret_line(reading, visit, line);
+    const std::size_t done = text.size() - cursor.remaining();
+    triangles.progress().done = done;
+    bytes.release_before(done);
+  }
+  triangles.start_file(outer);
+}
+
+}  // namespace penumbra

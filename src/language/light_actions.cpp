@@ -1,0 +1,37 @@
+// The lights. They stand where they are said to, whatever the current matrix.
+#include <fmt/format.h>
+
+#include "language/actions.hpp"
+
+namespace penumbra::actions {
+namespace {
+
+// A direction needs a length; `first` is the argument at which it starts.
+bool has_direction(Reading& reading, const Call& call, int first) {
+  const Vec3 direction = call.vec(first);
+  if (max_component(abs(direction)) > 0) return true;
+  reading.diagnostics.error(call.place_of_argument(first),
+                            fmt::format("the direction of `{}` has no length", call.command.name));
+  return false;
+}
+
+}  // namespace
+
+void point_light(Reading& reading, const Call& call) {
+  reading.builder.change().lights.emplace_back(PointLight{call.vec(0), call.vec(3)});
+}
+
+void disk_light(Reading& reading, const Call& call) {
+  if (!has_direction(reading, call, 4)) return;
+  reading.builder.change().lights.emplace_back(DiskLight{call.vec(0), call[3], call.vec(4), call.vec(7)});
+}
+
+void spotlight(Reading& reading, const Call& call) {
+  if (!has_direction(reading, call, 3)) return;
+  if (call[7] < call[6]) {
+    return reading.diagnostics.error(call.place_of_argument(7), "`outer` of `spotlight` has to be `inner` or more");
+  }
+  reading.builder.change().lights.emplace_back(SpotLight{call.vec(0), call.vec(3), call[6], call[7], call.vec(8)});
+}
+
+}  // namespace penumbra::actions

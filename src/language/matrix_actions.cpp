@@ -1,0 +1,50 @@
+// The current matrix: every command multiplies it from the right, so that the last one said is applied first.
+#include <fmt/format.h>
+
+#include "language/actions.hpp"
+
+namespace penumbra::actions {
+namespace {
+
+void multiply(Reading& reading, const Call& call, const Affine& by) {
+  const Affine product = reading.builder.matrix() * by;
+  bool finite = is_finite(product.translation);
+  for (const Vec3& column : product.column) finite = finite && is_finite(column);
+  if (!finite) return reading.diagnostics.error(call.place(), "the current matrix has become too large");
+  reading.builder.set_matrix(product);
+}
+
+}  // namespace
+
+void push(Reading& reading, const Call& call) { reading.complain(call.place(), reading.builder.push(call.place())); }
+
+void pop(Reading& reading, const Call& call) {
+  const Complaint wrong = reading.builder.pop();
+  if (!wrong.empty()) reading.diagnostics.error(call.place(), wrong);
+}
+
+void translate(Reading& reading, const Call& call) { multiply(reading, call, translation(call.vec(0))); }
+
+void scale(Reading& reading, const Call& call) {
+  for (int axis = 0; axis < 3; axis++) {
+    if (call[axis] != 0) continue;
+    return reading.diagnostics.error(call.place_of_argument(axis), "a `scale` by zero flattens everything after it");
+  }
+  multiply(reading, call, scaling(call.vec(0)));
+}
+
+void rotate(Reading& reading, const Call& call) {
+  Vec3 axis = call.vec(1);
+  const double size = max_component(abs(axis));
+  if (size == 0) return reading.diagnostics.error(call.place_of_argument(1), "the axis of `rotate` has no length");
+  // The squares of very small or large components would leave the range of a double.
+  multiply(reading, call, rotation(call[0], axis / size));
+}
+
+void rotate_x(Reading& reading, const Call& call) { multiply(reading, call, rotation(call[0], {1, 0, 0})); }
+
+void rotate_y(Reading& reading, const Call& call) { multiply(reading, call, rotation(call[0], {0, 1, 0})); }
+
+void rotate_z(Reading& reading, const Call& call) { multiply(reading, call, rotation(call[0], {0, 0, 1})); }
+
+}  // namespace penumbra::actions

@@ -1,0 +1,44 @@
+#include "language/mesh.hpp"
+
+#include <algorithm>
+
+namespace penumbra {
+namespace {
+
+bool is_ply(std::string_view bytes) { return bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r"; }
+
+bool is_obj(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension == ".obj";
+}
+
+std::optional<MeshError> read_any(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
+                                  TriangleStore& store) {
+  if (is_ply(bytes.view())) return read_ply(bytes.view(), matrix, store);
+  if (is_obj(path)) return read_obj(bytes, matrix, store);
+  return mesh_error("a mesh has to be an OBJ file (NAME.obj) or a PLY file (its first line is `ply`)");
+}
+
+}  // namespace
+
+MeshError mesh_error(std::string message) {
+  MeshError error;
+  error.message = std::move(message);
+  return error;
+}
+
+std::optional<MeshError> read_mesh(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
+                                   TriangleStore& store) {
+  const std::size_t vertices = store.vertices.size();
+  const std::size_t indices = store.indices.size();
+  std::optional<MeshError> error = read_any(path, bytes, matrix, store);
+  if (error) {
+    store.vertices.resize(vertices);
+    store.indices.resize(indices);
+  }
+  return error;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,34 @@
+// Mesh files: OBJ, and PLY as text or binary of either byte order. Only positions and faces are used; polygons are
+// split as fans. Nothing in a file can make the readers take more memory than a small multiple of its size.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/vec.hpp"
+#include "language/diagnostic_list.hpp"
+#include "language/file_bytes.hpp"
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+struct MeshError {
+  Place place;  // in the mesh file; line 0 where a binary part is wrong, and `message` names the byte then
+  std::string message;
+};
+
+// An error without a line.
+MeshError mesh_error(std::string message);
+
+// Appends the triangles of a mesh file, transformed by `matrix`, to `store`, which is as before if there is an error.
+// The format is told from the start of the file, or from the end of its name.
+std::optional<MeshError> read_mesh(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
+                                   TriangleStore& store);
+
+// The two formats.
+std::optional<MeshError> read_obj(FileBytes& bytes, const Affine& matrix, TriangleStore& store);
+std::optional<MeshError> read_ply(std::string_view bytes, const Affine& matrix, TriangleStore& store);
+
+}  // namespace penumbra

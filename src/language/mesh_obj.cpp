@@ -1,0 +1,167 @@
+// Wavefront OBJ: `v` and `f` lines. Texture coordinates, normals, groups, materials, lines and curves are skipped.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "language/mesh.hpp"
+#include "language/number.hpp"
+#include "language/text_lines.hpp"
+#include "language/triangle_builder.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::array skipped{
+    std::string_view{"vt"},     std::string_view{"vn"},     std::string_view{"vp"},         std::string_view{"g"},
+    std::string_view{"o"},      std::string_view{"s"},      std::string_view{"usemtl"},     std::string_view{"mtllib"},
+    std::string_view{"l"},      std::string_view{"p"},      std::string_view{"usemap"},     std::string_view{"maplib"},
+    std::string_view{"bevel"},  std::string_view{"lod"},    std::string_view{"c_interp"},   std::string_view{"d_interp"},
+    std::string_view{"mg"},     std::string_view{"cstype"}, std::string_view{"shadow_obj"}, std::string_view{"trace_obj"},
+    std::string_view{"deg"},    std::string_view{"bmat"},   std::string_view{"step"},       std::string_view{"curv"},
+    std::string_view{"curv2"},  std::string_view{"surf"},   std::string_view{"parm"},       std::string_view{"trim"},
+    std::string_view{"hole"},   std::string_view{"scrv"},   std::string_view{"sp"},         std::string_view{"end"},
+    std::string_view{"con"},    std::string_view{"ctech"},  std::string_view{"stech"},      std::string_view{"call"},
+};
+
+class ObjReader {
+ public:
+  ObjReader(FileBytes& bytes, const Affine& matrix, TriangleStore& store)
+      : bytes_(bytes),
+        text_(bytes.view()),
+        cursor_(text_),
+        matrix_(matrix),
+        store_(store),
+        vertices_before_(store.vertices.size()),
+        indices_before_(store.indices.size()) {}
+
+  std::optional<MeshError> read() {
+    progress_.total = text_.size();
+    while (!error_ && cursor_.next(line_)) {
+      read_line();
+      progress_.done = text_.size() - cursor_.remaining();
+      bytes_.release_before(progress_.done);
+    }
+    if (!error_ && store_.indices.size() == indices_before_) error_ = mesh_error("this mesh has no faces");
+    return std::move(error_);
+  }
+
+ private:
+  void fail(std::string_view part, std::string message) {
+    error_ = MeshError{place_of(0, line_, part), std::move(message)};
+  }
+
+  void read_line() {
+    std::string_view rest = line_.text;
+    const std::string_view word = take_word(rest);
+    if (word.empty()) return;
+    if (word == "v") return read_vertex(word, rest);
+    if (word == "f" || word == "fo") return read_face(word, rest);
+    if (std::find(skipped.begin(), skipped.end(), word) != skipped.end()) return skip_continuation();
+    fail(word, fmt::format("{} is no statement of an OBJ file", in_quotes(word)));
+  }
+
+  bool is_continued() const {
+    std::string_view text = line_.text;
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return !text.empty() && text.back() == '\\';
+  }
+
+  void skip_continuation() {
+    while (is_continued() && cursor_.next(line_)) continue;
+  }
+
+  void read_vertex(std::string_view command, std::string_view rest) {
+    std::array<double, 3> number{};
+    for (double& value : number) {
+      const std::string_view word = take_word(rest);
+      if (word.empty()) return fail(command, "`v` needs three numbers: x y z");
+      const NumberError error = parse_number(word, value);
+      if (error == NumberError::too_large) return fail(word, fmt::format("the number {} is too large", in_quotes(word)));
+      if (error != NumberError::none) return fail(word, fmt::format("{} is not a number", in_quotes(word)));
+    }
+    const Vec3 position = transform_point(matrix_, {number[0], number[1], number[2]});
+    if (!fits_single_precision(position)) return fail(command, "the current matrix moves this vertex too far away");
+    make_room(store_.vertices, 3, progress_, vertices_before_);
+    store_.vertices.push_back(static_cast<float>(position.x));
+    store_.vertices.push_back(static_cast<float>(position.y));
+    store_.vertices.push_back(static_cast<float>(position.z));
+  }
+
+  // The next corner of a face, on the next line if this one ends with a backslash; empty at the end.
+  std::string_view take_corner(std::string_view& rest) {
+    std::string_view word = take_word(rest);
+    while (word == "\\" && cursor_.next(line_)) {
+      rest = line_.text;
+      word = take_word(rest);
+    }
+    return word == "\\" ? std::string_view() : word;
+  }
+
+  // From `i`, `i/t`, `i//n` or `i/t/n`, i counting from 1, or from -1 backwards, to an index into the store.
+  bool read_corner(std::string_view word, std::uint32_t& index) {
+    const auto count = static_cast<std::int64_t>((store_.vertices.size() - vertices_before_) / 3);
+    std::int64_t value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [p, code] = std::from_chars(word.data(), end, value);
+    if (code != std::errc{} || (p != end && *p != '/')) {
+      fail(word, fmt::format("{} is not the number of a vertex", in_quotes(word)));
+      return false;
+    }
+    const std::int64_t from_zero = value > 0 ? value - 1 : value + count;
+    if (value == 0 || value < -count || from_zero >= count) {
+      fail(word, fmt::format("there is no vertex {}; {} have been given so far", value, count));
+      return false;
+    }
+    const std::uint64_t stored = vertices_before_ / 3 + static_cast<std::uint64_t>(from_zero);
+    index = static_cast<std::uint32_t>(stored);
+    if (stored == index) return true;
+    fail(word, "there are too many vertices");
+    return false;
+  }
+
+  void read_face(std::string_view command, std::string_view rest) {
+    std::uint32_t first = 0, last = 0, current = 0;
+    std::uint64_t corners = 0;
+    const Line face_line = line_;
+    for (std::string_view word = take_corner(rest); !word.empty(); word = take_corner(rest)) {
+      if (!read_corner(word, current)) return;
+      if (++corners == 1) first = current;
+      if (corners > 2) add_triangle(word, first, last, current);
+      last = current;
+    }
+    if (corners >= 3 || error_) return;
+    line_ = face_line;
+    fail(command, fmt::format("a face needs at least three corners; found {}", corners));
+  }
+
+  void add_triangle(std::string_view word, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (store_.triangle_count() >= std::numeric_limits<std::uint32_t>::max()) {
+      return fail(word, "there are too many triangles");
+    }
+    make_room(store_.indices, 3, progress_, indices_before_);
+    store_.indices.push_back(a);
+    store_.indices.push_back(b);
+    store_.indices.push_back(c);
+  }
+
+  FileBytes& bytes_;
+  std::string_view text_;
+  LineCursor cursor_;
+  Line line_;
+  const Affine& matrix_;
+  TriangleStore& store_;
+  std::size_t vertices_before_, indices_before_;
+  ReadProgress progress_;
+  std::optional<MeshError> error_;
+};
+
+}  // namespace
+
+std::optional<MeshError> read_obj(FileBytes& bytes, const Affine& matrix, TriangleStore& store) {
+  return ObjReader(bytes, matrix, store).read();
+}
+
+}  // namespace penumbra

@@ -1,0 +1,261 @@
+// PLY, text and binary: the elements `vertex` (x, y, z) and `face` (vertex_indices), others are skipped. The layouts
+// that nearly all binary files have (float positions; one list of 32-bit indices) are read in bulk.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "language/ply_source.hpp"
+#include "language/triangle_builder.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
+
+// The place of a byte of a text.
+Place place_in_text(std::string_view text, const char* at) {
+  LineCursor cursor(text);
+  Line line;
+  while (cursor.next(line) && line.text.data() + line.text.size() < at) continue;
+  std::string_view rest = line.text.substr(std::min(line.text.size(), static_cast<std::size_t>(at - line.text.data())));
+  const std::size_t column = static_cast<std::size_t>(rest.data() - line.text.data());
+  const std::string_view word = take_word(rest);
+  return place_of(0, line, line.text.substr(column, word.size()));
+}
+
+template <class Source>
+class PlyBody {
+ public:
+  PlyBody(std::string_view bytes, const PlyHeader& header, Source source, const Affine& matrix, TriangleStore& store)
+      : bytes_(bytes), header_(header), source_(source), matrix_(matrix), store_(store) {}
+
+  std::optional<MeshError> read() {
+    vertex_count_ = header_.find("vertex")->count;
+    first_vertex_ = store_.vertices.size() / 3;
+    const std::size_t indices_before = store_.indices.size();
+    if (first_vertex_ + vertex_count_ > largest_index) return mesh_error("there are too many vertices");
+    for (const PlyElement& element : header_.elements) {
+      if (!read_element(element)) return std::move(error_);
+    }
+    if (store_.indices.size() == indices_before) return mesh_error("this mesh has no faces");
+    return std::nullopt;
+  }
+
+ private:
+  bool fail(const char* at, std::string message) {
+    if constexpr (Source::is_binary) {
+      error_ = mesh_error(fmt::format("{} (at byte {} of the file)", message, at - bytes_.data()));
+    } else {
+      error_ = MeshError{place_in_text(bytes_, at), std::move(message)};
+    }
+    return false;
+  }
+
+  // What is wrong where a number should be.
+  bool fail_at_number(const PlyElement& element, std::uint64_t i) {
+    const char* const at = source_.at();
+    if (Source::is_binary || at == bytes_.data() + bytes_.size()) {
+      return fail(at, fmt::format("the file ends in element {} of {} of {}", i + 1, element.count,
+                                  in_quotes(element.name)));
+    }
+    return fail(at, fmt::format("element {} of {} should have a number here", i + 1, in_quotes(element.name)));
+  }
+
+  bool read_element(const PlyElement& element) {
+    std::size_t least = 0;
+    for (const PlyProperty& p : element.properties) least += Source::least_size(p.is_list ? p.count_type : p.type);
+    if (least == 0) return true;
+    if (element.count > source_.remaining() / least) {
+      return fail(source_.at(), fmt::format("{} elements {} cannot be in the {} bytes that are left", element.count,
+                                            in_quotes(element.name), source_.remaining()));
+    }
+    if (element.name == "vertex") return read_vertices(element, least);
+    if (element.name == "face") return read_faces(element, least);
+    for (std::uint64_t i = 0; i < element.count; i++) {
+      if (!skip_properties(element, i, 0, element.properties.size())) return false;
+    }
+    return true;
+  }
+
+  bool skip_properties(const PlyElement& element, std::uint64_t i, std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; k++) {
+      const PlyProperty& property = element.properties[k];
+      double count = 1;
+      if (property.is_list && !source_.read(property.count_type, count)) return fail_at_number(element, i);
+      if (!(count >= 0)) return fail(source_.at(), "a list has a negative length");
+      if (!source_.skip(property.type, static_cast<std::uint64_t>(count))) return fail_at_number(element, i);
+    }
+    return true;
+  }
+
+  void store_vertex(float*& out, Vec3 position) {
+    *out++ = static_cast<float>(position.x);
+    *out++ = static_cast<float>(position.y);
+    *out++ = static_cast<float>(position.z);
+  }
+
+  bool read_vertices(const PlyElement& element, std::size_t stride) {
+    const int axis[3] = {element.find("x"), element.find("y"), element.find("z")};
+    bool bulk = Source::is_binary;
+    for (const int k : axis) {
+      if (k < 0 || element.properties[static_cast<std::size_t>(k)].is_list) {
+        return fail(source_.at(), "the vertices of this PLY file have no x, y and z");
+      }
+      bulk = bulk && element.properties[static_cast<std::size_t>(k)].type == PlyType::float32;
+    }
+    for (const PlyProperty& p : element.properties) bulk = bulk && !p.is_list;
+    const std::size_t before = store_.vertices.size();
+    store_.vertices.resize(before + 3 * element.count);
+    float* out = store_.vertices.data() + before;
+    if constexpr (Source::is_binary) {
+      if (bulk) return read_vertices_in_bulk(element, stride, axis, out);
+    }
+    for (std::uint64_t i = 0; i < element.count; i++) {
+      double value[3] = {};
+      const char* const at = source_.at();
+      for (std::size_t k = 0; k < element.properties.size(); k++) {
+        const auto which = std::find(axis, axis + 3, static_cast<int>(k));
+        if (which == axis + 3) {
+          if (!skip_properties(element, i, k, k + 1)) return false;
+        } else if (!source_.read(element.properties[k].type, value[which - axis])) {
+          return fail_at_number(element, i);
+        }
+      }
+      const Vec3 position = transform_point(matrix_, {value[0], value[1], value[2]});
+      if (!fits_single_precision(position)) return fail(at, fmt::format("vertex {} is not finite", i));
+      store_vertex(out, position);
+    }
+    return true;
+  }
+
+  // Binary vertices without lists, with positions in single precision.
+  bool read_vertices_in_bulk(const PlyElement& element, std::size_t stride, const int (&axis)[3], float* out)
+    requires Source::is_binary
+  {
+    std::size_t offset[3] = {};
+    for (int a = 0; a < 3; a++) {
+      for (int k = 0; k < axis[a]; k++) offset[a] += size_of(element.properties[static_cast<std::size_t>(k)].type);
+    }
+    const char* p = source_.at();
+    for (std::uint64_t i = 0; i < element.count; i++, p += stride) {
+      const Vec3 position = transform_point(matrix_, {load_number<float>(p + offset[0], source_.swapped()),
+                                                      load_number<float>(p + offset[1], source_.swapped()),
+                                                      load_number<float>(p + offset[2], source_.swapped())});
+      if (!fits_single_precision(position)) return fail(p, fmt::format("vertex {} is not finite", i));
+      store_vertex(out, position);
+    }
+    source_.advance(stride * element.count);
+    return true;
+  }
+
+  bool read_faces(const PlyElement& element, std::size_t least) {
+    int list = element.find("vertex_indices");
+    if (list < 0) list = element.find("vertex_index");
+    if (list < 0 || !element.properties[static_cast<std::size_t>(list)].is_list) {
+      return fail(source_.at(), "the faces of this PLY file have no list `vertex_indices`");
+    }
+    const PlyProperty& corners = element.properties[static_cast<std::size_t>(list)];
+    const std::uint64_t size = least + 3 * Source::least_size(corners.type);
+    store_.indices.reserve(store_.indices.size() + 3 * std::min(element.count, source_.remaining() / size + 1));
+    const bool bulk = element.properties.size() == 1 && corners.count_type == PlyType::uint8 &&
+                      (corners.type == PlyType::int32 || corners.type == PlyType::uint32);
+    std::uint64_t i = 0;
+    if constexpr (Source::is_binary) {
+      if (bulk) i = read_triangles_in_bulk(element.count);
+    }
+    for (; i < element.count; i++) {
+      const auto k = static_cast<std::size_t>(list);
+      if (!skip_properties(element, i, 0, k) || !read_face(element, corners, i) ||
+          !skip_properties(element, i, k + 1, element.properties.size())) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Reads faces as long as each is a triangle with good corners, and tells how many; the long way finds what is wrong.
+  std::uint64_t read_triangles_in_bulk(std::uint64_t count)
+    requires Source::is_binary
+  {
+    constexpr std::size_t stride = 13;
+    count = std::min<std::uint64_t>({count, source_.remaining() / stride, largest_index - store_.triangle_count()});
+    const std::size_t before = store_.indices.size();
+    store_.indices.resize(before + 3 * count);
+    std::uint32_t* out = store_.indices.data() + before;
+    const char* p = source_.at();
+    const auto first = static_cast<std::uint32_t>(first_vertex_);
+    std::uint64_t i = 0;
+    for (; i < count; i++, p += stride, out += 3) {
+      if (*p != 3) break;
+      const auto a = load_number<std::uint32_t>(p + 1, source_.swapped());
+      const auto b = load_number<std::uint32_t>(p + 5, source_.swapped());
+      const auto c = load_number<std::uint32_t>(p + 9, source_.swapped());
+      if (std::max({a, b, c}) >= vertex_count_) break;
+      out[0] = first + a;
+      out[1] = first + b;
+      out[2] = first + c;
+    }
+    store_.indices.resize(before + 3 * i);
+    source_.advance(stride * i);
+    return i;
+  }
+
+  bool read_face(const PlyElement& element, const PlyProperty& corners, std::uint64_t i) {
+    const char* const at = source_.at();
+    double count = 0;
+    if (!source_.read(corners.count_type, count)) return fail_at_number(element, i);
+    if (!(count >= 3) || count != std::floor(count)) {
+      return fail(at, fmt::format("face {} has {} corners; it needs at least three", i, count));
+    }
+    std::uint32_t first = 0, last = 0, current = 0;
+    for (double k = 0; k < count; k++) {
+      if (!read_corner(element, corners.type, i, current)) return false;
+      if (k == 0) first = current;
+      if (k >= 2) {
+        if (store_.triangle_count() >= largest_index) return fail(at, "there are too many triangles");
+        for (const std::uint32_t corner : {first, last, current}) store_.indices.push_back(corner);
+      }
+      last = current;
+    }
+    return true;
+  }
+
+  bool read_corner(const PlyElement& element, PlyType type, std::uint64_t i, std::uint32_t& index) {
+    const char* const at = source_.at();
+    double value = 0;
+    if (!source_.read(type, value)) return fail_at_number(element, i);
+    if (!(value >= 0) || value >= static_cast<double>(vertex_count_) || value != std::floor(value)) {
+      return fail(at, fmt::format("face {} names vertex {}; there are {}, counted from 0", i, value, vertex_count_));
+    }
+    index = static_cast<std::uint32_t>(first_vertex_ + static_cast<std::uint64_t>(value));
+    return true;
+  }
+
+  std::string_view bytes_;
+  const PlyHeader& header_;
+  Source source_;
+  const Affine& matrix_;
+  TriangleStore& store_;
+  std::uint64_t vertex_count_ = 0;
+  std::uint64_t first_vertex_ = 0;
+  std::optional<MeshError> error_;
+};
+
+}  // namespace
+
+std::optional<MeshError> read_ply(std::string_view bytes, const Affine& matrix, TriangleStore& store) {
+  PlyHeader header;
+  if (std::optional<MeshError> error = read_ply_header(bytes, header)) return error;
+  if (header.find("vertex") == nullptr) return mesh_error("this PLY file has no vertices");
+  if (header.find("tristrips") != nullptr) return mesh_error("triangle strips are not read; save the mesh with faces");
+  if (header.find("face") == nullptr) return mesh_error("this mesh has no faces");
+  if (header.format == PlyFormat::ascii) {
+    return PlyBody(bytes, header, PlyText(bytes, header.size), matrix, store).read();
+  }
+  const bool big_endian = header.format == PlyFormat::big_endian;
+  return PlyBody(bytes, header, PlyBinary(bytes, header.size, big_endian), matrix, store).read();
+}
+
+}  // namespace penumbra

@@ -1,0 +1,81 @@
+// The objects of a scene while it is read: the groups that are open, which object is the last one, what has a name.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language/diagnostic_list.hpp"
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+// Groups and instances may stand in one another this deep.
+inline constexpr int deepest_nesting = 64;
+
+// A group whose end has not been read. The first one is the scene itself.
+struct OpenGroup {
+  std::vector<Object> objects;
+  std::string opener;  // the command that opened it
+  Place place;
+
+  bool has_last = false;
+  std::uint32_t last_triangles = 0;  // the last polygon's share of the run that is objects.back(); 0 if it is no run
+  int nesting_before_last = 0;       // levels of groups and instances below the objects before the last
+  int nesting_of_last = 0;
+
+  int nesting() const { return std::max(nesting_before_last, nesting_of_last); }
+};
+
+struct NamedObject {
+  std::uint32_t definition = 0;  // index into Scene::definitions
+  int nesting = 0;
+  bool used = false;
+  Place place;
+};
+
+class ObjectTree {
+ public:
+  ObjectTree() : groups_(1) {}
+
+  // Adds an object that has `nesting` levels of groups and instances in it.
+  void add(Object object, int nesting = 0);
+
+  // Adds a polygon: the triangles [first, first + count) of the store. It continues the run of the polygon before it
+  // where it can, but remains an object of its own for last_object().
+  void add_polygon(std::uint32_t first, std::uint32_t count, std::uint32_t surface);
+
+  bool has_last() const { return groups_.back().has_last; }
+  // The last object, which must be there, cut off the run of polygons that it may be part of.
+  Object& last_object();
+  int nesting_of_last() const { return groups_.back().nesting_of_last; }
+  // Takes the last object, which must be there, out of its group.
+  Object take_last();
+
+  int open_groups() const { return static_cast<int>(groups_.size()) - 1; }
+  const OpenGroup& innermost() const { return groups_.back(); }
+  const OpenGroup& group(int level) const { return groups_[static_cast<std::size_t>(level)]; }
+  void open_group(std::string_view opener, const Place& place);
+  // Makes the innermost group, which must not be the scene, an object of the group around it.
+  void close_group();
+
+  // The objects as they stand now, open groups included.
+  Group snapshot() const;
+  Group take() { return {std::move(groups_.front().objects)}; }
+
+  // What a snapshot would have to copy.
+  std::size_t objects_to_copy() const;
+  // How many objects have ever been added.
+  std::uint64_t objects_added() const { return objects_added_; }
+
+  std::map<std::string, NamedObject, std::less<>> names;
+
+ private:
+  std::vector<OpenGroup> groups_;
+  std::uint64_t objects_added_ = 0;
+};
+
+}  // namespace penumbra

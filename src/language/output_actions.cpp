@@ -1,0 +1,72 @@
+// Pictures, files and timers, and the painted rectangles of the 2-D test commands.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "language/actions.hpp"
+
+namespace penumbra::actions {
+namespace {
+
+constexpr double most_pixels = 1 << 28;
+
+void take_picture(Reading& reading, const Call& call, std::string file) {
+  const Complaint wrong = reading.builder.add_picture(std::move(file));
+  if (!wrong.empty()) return reading.diagnostics.error(call.place(), wrong);
+  reading.objects_in_pictures = reading.builder.tree().objects_added();
+  reading.after_pictures.reset();
+  warn_of_empty_picture(reading, call.place());
+}
+
+}  // namespace
+
+void background(Reading& reading, const Call& call) { reading.builder.change().background = call.vec(0); }
+
+void image_size(Reading& reading, const Call& call) {
+  if (call[0] * call[1] > most_pixels) {
+    return reading.diagnostics.error(call.place_of_argument(0),
+                                     fmt::format("a picture of {} x {} pixels is too large; {} pixels are the most",
+                                                 call.whole(0), call.whole(1), most_pixels));
+  }
+  Scene& scene = reading.builder.change();
+  scene.width = call.whole(0);
+  scene.height = call.whole(1);
+}
+
+void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.word(0))); }
+
+void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
+
+void read(Reading& reading, const Call& call) {
+  if (reading.open_files.size() >= deepest_read) {
+    return reading.diagnostics.error(call.place(), fmt::format("files read one another more than {} deep",
+                                                               deepest_read));
+  }
+  std::optional<NamedFile> file = open_named_file(reading, call);
+  if (!file) return;
+  const auto same = [&](const OpenFile& open) { return open.identity == file->loaded.identity; };
+  const auto found = std::find_if(reading.open_files.begin(), reading.open_files.end(), same);
+  if (found != reading.open_files.end()) {
+    const bool itself = found + 1 == reading.open_files.end();
+    return reading.diagnostics.error(
+        call.place_of_argument(0),
+        itself ? std::string("this file reads itself")
+               : fmt::format("this file reads itself again, by way of `{}`", reading.open_files.back().path.string()));
+  }
+  const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place());
+  reading.open_files.push_back({file->path, file->loaded.identity, visit});
+  interpret_text(reading, file->loaded.bytes, visit);
+  reading.open_files.pop_back();
+}
+
+void reset_timer(Reading& reading, const Call&) { reading.builder.add_timer(ResetTimer{}); }
+
+void print_timer(Reading& reading, const Call&) { reading.builder.add_timer(PrintTimer{}); }
+
+void color(Reading& reading, const Call& call) { reading.builder.set_paint(call.vec(0)); }
+
+void rect(Reading& reading, const Call& call) {
+  reading.builder.add_rect(call.whole(0), call.whole(1), call.whole(2), call.whole(3));
+}
+
+}  // namespace penumbra::actions

@@ -1,0 +1,143 @@
+// Opens the files of a scene, goes through them, and says at the end what is missing or odd.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "language/reading.hpp"
+#include "language/scene_file.hpp"
+
+namespace penumbra {
+namespace {
+
+Place whole_file(std::uint32_t visit) {
+  Place place;
+  place.visit = visit;
+  return place;
+}
+
+// Bounds what all files together may cost.
+Complaint count_file(Reading& reading, std::size_t size) {
+  reading.reads++;
+  reading.bytes += size;
+  if (reading.reads > most_reads) return fmt::format("the scene opens more than {} files", most_reads);
+  if (reading.bytes > most_bytes) return fmt::format("the files of the scene have more than {} bytes", most_bytes);
+  return {};
+}
+
+void remember_file(Reading& reading, const std::filesystem::path& path) {
+  std::string name = path.string();
+  if (std::find(reading.files.begin(), reading.files.end(), name) == reading.files.end()) {
+    reading.files.push_back(std::move(name));
+  }
+}
+
+void read_first_file(Reading& reading, const std::filesystem::path& path, LoadedFile file) {
+  const std::uint32_t visit = reading.diagnostics.open(path.string(), {});
+  remember_file(reading, path);
+  reading.complain(whole_file(visit), count_file(reading, file.bytes.view().size()));
+  reading.open_files.push_back({path, file.identity, visit});
+  interpret_text(reading, file.bytes, visit);
+  if (!reading.diagnostics.is_full()) finish_reading(reading);
+}
+
+void report_open_ends(Reading& reading) {
+  const SceneBuilder& builder = reading.builder;
+  if (builder.in_polygon()) {
+    reading.diagnostics.error(builder.polygon_place(), "this polygon is left open: there is no `end` after it");
+  }
+  for (int level = builder.tree().open_groups(); level > 0; level--) {
+    const OpenGroup& group = builder.tree().group(level);
+    reading.diagnostics.error(group.place,
+                              fmt::format("this group is left open: there is no `{}` for it",
+                                          group.opener == "begin_list" ? "end_list` or `end_accel" : "end_accel"));
+  }
+  for (const auto& [matrix, place] : builder.pushed()) {
+    reading.diagnostics.warning(place, "this `push` is left open: there is no `pop` for it");
+  }
+}
+
+void report_unused(Reading& reading) {
+  for (const auto& [name, named] : reading.builder.tree().names) {
+    if (named.used) continue;
+    reading.diagnostics.warning(named.place, fmt::format("{} is never used: there is no `instance` of it",
+                                                         in_quotes(name)));
+  }
+  if (reading.after_pictures) {
+    reading.diagnostics.warning(*reading.after_pictures, "from here on nothing is in a picture: the last one is taken "
+                                                         "before this line");
+  }
+}
+
+}  // namespace
+
+std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
+  const std::filesystem::path name(call.word(0));
+  NamedFile file;
+  file.path = name.is_absolute() ? name : reading.open_files.back().path.parent_path() / name;
+  file.loaded = reading.load(file.path);
+  if (!file.loaded.problem.empty()) {
+    reading.diagnostics.error(call.place_of_argument(0),
+                              fmt::format("cannot read `{}`: {}", file.path.string(), file.loaded.problem));
+    return std::nullopt;
+  }
+  if (const Complaint wrong = count_file(reading, file.loaded.bytes.view().size()); !wrong.empty()) {
+    reading.diagnostics.error(call.place(), wrong);
+    return std::nullopt;
+  }
+  remember_file(reading, file.path);
+  return file;
+}
+
+void finish_reading(Reading& reading) {
+  report_open_ends(reading);
+  if (reading.diagnostics.has_error()) return;
+  report_unused(reading);
+  if (reading.builder.pictures() > 0) return;
+  reading.builder.add_picture({});
+  warn_of_empty_picture(reading, whole_file(0));
+}
+
+void warn_of_empty_picture(Reading& reading, const Place& place) {
+  if (reading.diagnostics.has_error()) return;  // what is missing may be what is wrong
+  const Picture& picture = reading.builder.last_picture();
+  const bool has_objects = reading.builder.tree().objects_to_copy() > 0;
+  if (!has_objects && picture.rects.empty()) reading.diagnostics.warning(place, "there is no object in this picture");
+  if (has_objects && reading.builder.scene().lights.empty()) {
+    reading.diagnostics.warning(place, "there is no light in this picture");
+  }
+}
+
+SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
+                          const ReadOptions& options, FileLoader load) {
+  Reading reading;
+  reading.options = options;
+  reading.load = std::move(load);
+  SceneFile result;
+  LoadedFile file = reading.load(path);
+  if (text) {
+    file.bytes = FileBytes(std::move(*text));
+    file.problem.clear();
+  }
+  if (file.problem.empty()) {
+    read_first_file(reading, path, std::move(file));
+  } else {
+    result.found = false;
+    reading.diagnostics.error(whole_file(reading.diagnostics.open(path.string(), {})),
+                              "cannot read this file: " + file.problem);
+  }
+  if (!reading.diagnostics.has_error()) result.actions = reading.builder.take_actions();
+  result.diagnostics = reading.diagnostics.take();
+  result.files = std::move(reading.files);
+  return result;
+}
+
+SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  return read_scene_with(path, std::nullopt, options, load_from_disk);
+}
+
+SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options) {
+  return read_scene_with(path, std::move(text), options, load_from_disk);
+}
+
+}  // namespace penumbra

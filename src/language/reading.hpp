@@ -1,0 +1,76 @@
+// Everything one reading of a scene file works on: what it has found wrong, the scene so far, the files it is in.
+// This is what an action of the command table gets.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language/command.hpp"
+#include "language/diagnostic_list.hpp"
+#include "language/file_bytes.hpp"
+#include "language/scene_builder.hpp"
+#include "language/scene_file.hpp"
+
+namespace penumbra {
+
+// Bounds on what one scene may open, so that files that read one another cannot keep the machine busy for ever.
+inline constexpr std::size_t deepest_read = 64;
+inline constexpr std::size_t most_reads = 65'536;
+inline constexpr std::uint64_t most_bytes = std::uint64_t{4} << 30;
+
+// One file that is being read.
+struct OpenFile {
+  std::filesystem::path path;
+  std::string identity;
+  std::uint32_t visit = 0;
+};
+
+struct Reading {
+  ReadOptions options;
+  FileLoader load;
+  DiagnosticList diagnostics;
+  SceneBuilder builder;
+
+  std::vector<OpenFile> open_files;  // the innermost last
+  std::vector<std::string> files;    // all that were opened, each once, as the user would find them
+  std::size_t reads = 0;
+  std::uint64_t bytes = 0;
+
+  bool stray_vertex = false;        // a `vertex` outside a polygon was told; those that follow it are not
+  bool texture_warned[8] = {};      // one warning for each kind
+  std::uint64_t objects_in_pictures = 0;  // objects that had been added when the last picture was taken
+  std::optional<Place> after_pictures;    // the first object after the last picture
+
+  void complain(const Place& place, const Complaint& complaint) {
+    if (!complaint.empty()) diagnostics.error(place, complaint);
+  }
+};
+
+// Does what one line says.
+void interpret_line(Reading& reading, std::uint32_t visit, const Line& line);
+
+// Does what all lines of an open file say.
+void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit);
+
+// Warns of a picture, the last one taken, that shows nothing.
+void warn_of_empty_picture(Reading& reading, const Place& place);
+
+// Says what is missing or odd at the end of everything, and takes the last picture if the file names none.
+void finish_reading(Reading& reading);
+
+// Reads a scene with files from `load`; with `text`, that instead of the contents of the first file.
+SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
+                          const ReadOptions& options, FileLoader load);
+
+// Opens a file that a command names; reports at the command if that fails. The file is relative to the innermost one.
+struct NamedFile {
+  std::filesystem::path path;
+  LoadedFile loaded;
+};
+std::optional<NamedFile> open_named_file(Reading& reading, const Call& call);
+
+}  // namespace penumbra

@@ -1,0 +1,219 @@
+#include "language/scene_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace penumbra {
+namespace {
+
+// All pictures of a file together may copy this many objects, lights and the like.
+constexpr std::size_t largest_copies = std::size_t{1} << 24;
+// How far back an equal surface is looked for.
+constexpr std::size_t surfaces_to_compare = 8;
+
+bool fits_single_precision(const Affine& m) {
+  for (const Vec3& column : m.column) {
+    if (!penumbra::fits_single_precision(column)) return false;
+  }
+  return penumbra::fits_single_precision(m.translation);
+}
+
+}  // namespace
+
+SceneBuilder::SceneBuilder() { scene_.triangles = triangles_.store(); }
+
+Scene& SceneBuilder::change() {
+  if (!waiting_.empty()) {
+    Scene copy = scene_;
+    copy.root = tree_.snapshot();
+    copied_ += size_of_copy();
+    share_with_pictures(std::move(copy));
+  }
+  return scene_;
+}
+
+void SceneBuilder::share_with_pictures(Scene scene) {
+  const auto shared = std::make_shared<const Scene>(std::move(scene));
+  for (const std::size_t i : waiting_) std::get<Picture>(actions_[i]).scene = shared;
+  waiting_.clear();
+}
+
+std::size_t SceneBuilder::size_of_copy() const {
+  return tree_.objects_to_copy() + scene_.lights.size() + scene_.surfaces.size() + scene_.placements.size() +
+         scene_.definitions.size();
+}
+
+void SceneBuilder::set_matrix(const Affine& matrix) {
+  matrix_ = matrix;
+  matrix_checked_ = false;
+}
+
+Complaint SceneBuilder::push(const Place& place) {
+  if (pushed_.size() >= deepest_push) return fmt::format("more than {} `push` are open", deepest_push);
+  pushed_.emplace_back(matrix_, place);
+  return {};
+}
+
+Complaint SceneBuilder::pop() {
+  if (pushed_.empty()) return "`pop` without a `push` before it";
+  set_matrix(pushed_.back().first);
+  pushed_.pop_back();
+  return {};
+}
+
+Complaint SceneBuilder::check_matrix() {
+  if (matrix_checked_) return {};
+  const double size = determinant(matrix_);
+  if (!fits_single_precision(matrix_) || !std::isfinite(size)) return "the current matrix has become too large";
+  if (size == 0 || !fits_single_precision(inverse(matrix_))) {
+    return "the current matrix is singular: it flattens the shape, or shrinks it to nothing";
+  }
+  matrix_checked_ = true;
+  return {};
+}
+
+void SceneBuilder::set_surface(const Surface& surface) { surface_ = surface; }
+
+std::uint32_t SceneBuilder::surface_index() {
+  std::vector<Surface>& surfaces = scene_.surfaces;
+  for (std::size_t back = 1; back <= surfaces.size() && back <= surfaces_to_compare; back++) {
+    if (surfaces[surfaces.size() - back] == surface_) return static_cast<std::uint32_t>(surfaces.size() - back);
+  }
+  surfaces.push_back(surface_);
+  return static_cast<std::uint32_t>(surfaces.size() - 1);
+}
+
+std::uint32_t SceneBuilder::placement_index() {
+  std::vector<Affine>& placements = scene_.placements;
+  if (matrix_ == placements.front()) return 0;
+  if (!(matrix_ == placements.back())) placements.push_back(matrix_);
+  return static_cast<std::uint32_t>(placements.size() - 1);
+}
+
+Complaint SceneBuilder::add_shape(const Shape& shape, Vec3 motion) {
+  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+  if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
+  change();
+  Object object;
+  object.shape = shape;
+  object.surface = surface_index();
+  object.placement = placement_index();
+  object.motion = motion;
+  tree_.add(std::move(object));
+  return {};
+}
+
+Complaint SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
+  if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
+  change();
+  Object object;
+  object.shape = shape;
+  object.surface = surface_index();
+  object.motion = motion;
+  tree_.add(std::move(object));
+  return {};
+}
+
+Complaint SceneBuilder::add_mesh(std::uint32_t first) {
+  const std::uint32_t count = triangles_.triangle_count() - first;
+  return count == 0 ? Complaint() : add_unplaced_shape(TriangleRange{first, count});
+}
+
+Complaint SceneBuilder::begin_polygon(const Place& place) {
+  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+  polygon_place_.visit = place.visit;
+  polygon_place_.line = place.line;
+  polygon_place_.column = place.column;
+  polygon_place_.width = place.width;
+  polygon_place_.source_line = place.source_line;
+  triangles_.begin_polygon();
+  return {};
+}
+
+Complaint SceneBuilder::end_polygon() {
+  const std::uint64_t corners = triangles_.polygon_vertices();
+  if (corners < 3) {
+    triangles_.abandon_polygon();
+    return fmt::format("a polygon needs at least three `vertex` lines; found {}", corners);
+  }
+  const std::uint32_t first = triangles_.triangle_count();
+  change();
+  const std::uint32_t count = triangles_.end_polygon();
+  if (count == 0) return "there are too many triangles";
+  tree_.add_polygon(first, count, surface_index());
+  return {};
+}
+
+Complaint SceneBuilder::open_group(std::string_view opener, const Place& place) {
+  if (tree_.open_groups() >= deepest_nesting) return fmt::format("groups nest more than {} deep", deepest_nesting);
+  change();
+  tree_.open_group(opener, place);
+  return {};
+}
+
+Complaint SceneBuilder::close_group() {
+  change();
+  tree_.close_group();
+  return {};
+}
+
+Complaint SceneBuilder::name_last(std::string_view name, const Place& place) {
+  if (!tree_.has_last()) return "there is no object before it to name";
+  change();
+  NamedObject named;
+  named.definition = static_cast<std::uint32_t>(scene_.definitions.size());
+  named.nesting = tree_.nesting_of_last();
+  named.place = place;
+  scene_.definitions.push_back(tree_.take_last());
+  tree_.names.emplace(name, std::move(named));
+  return {};
+}
+
+Complaint SceneBuilder::add_instance(std::string_view name) {
+  NamedObject& named = tree_.names.find(name)->second;
+  named.used = true;
+  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+  if (named.nesting >= deepest_nesting) {
+    return fmt::format("groups and instances nest more than {} deep", deepest_nesting);
+  }
+  change();
+  Object object;
+  object.shape = Instance{named.definition};
+  object.placement = placement_index();
+  tree_.add(std::move(object), named.nesting + 1);
+  return {};
+}
+
+Complaint SceneBuilder::move_last(Vec3 motion) {
+  if (!tree_.has_last()) return "there is no object before it to move";
+  change();
+  Object& object = tree_.last_object();
+  const Vec3 sum = object.motion + motion;
+  if (!penumbra::fits_single_precision(sum)) return "the motion has become too large";
+  object.motion = sum;
+  return {};
+}
+
+Complaint SceneBuilder::add_picture(std::string file) {
+  if (waiting_.empty() && pictures_ > 0 && copied_ + size_of_copy() > largest_copies) {
+    return "too many pictures of too many objects in one file";
+  }
+  last_picture_ = actions_.size();
+  waiting_.push_back(last_picture_);
+  actions_.emplace_back(Picture{std::move(file), nullptr, std::move(rects_)});
+  rects_.clear();
+  pictures_++;
+  return {};
+}
+
+std::vector<Action> SceneBuilder::take_actions() {
+  if (!waiting_.empty()) {
+    scene_.root = tree_.take();
+    share_with_pictures(std::move(scene_));
+  }
+  return std::move(actions_);
+}
+
+}  // namespace penumbra

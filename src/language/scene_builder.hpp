@@ -1,0 +1,102 @@
+// The scene while it is read, and the pictures taken of it. Knows the rules of the language but nothing of text:
+// what goes wrong is told as a sentence, and whoever calls adds the place.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language/object_tree.hpp"
+#include "language/scene_file.hpp"
+#include "language/triangle_builder.hpp"
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+// What is wrong, as a sentence without a full stop; empty if nothing is.
+using Complaint = std::string;
+
+inline constexpr std::size_t deepest_push = 4096;
+
+class SceneBuilder {
+ public:
+  SceneBuilder();
+
+  const Scene& scene() const { return scene_; }
+  // The scene, to be changed: pictures already taken keep what they saw.
+  Scene& change();
+
+  // The current matrix.
+  const Affine& matrix() const { return matrix_; }
+  void set_matrix(const Affine& matrix);
+  Complaint push(const Place& place);
+  Complaint pop();
+  const std::vector<std::pair<Affine, Place>>& pushed() const { return pushed_; }
+
+  // The current surface.
+  const Surface& surface() const { return surface_; }
+  void set_surface(const Surface& surface);
+
+  // Adds a shape under the current matrix, or as it is; `motion` is in the space of the open group.
+  Complaint add_shape(const Shape& shape, Vec3 motion = {});
+  Complaint add_unplaced_shape(const Shape& shape, Vec3 motion = {});
+  // Adds the triangles from `first` to the end of the store as one object.
+  Complaint add_mesh(std::uint32_t first);
+
+  // Polygons.
+  bool in_polygon() const { return triangles_.in_polygon(); }
+  Complaint begin_polygon(const Place& place);
+  bool add_vertex(Vec3 position) { return triangles_.add_vertex(transform_point(matrix_, position)); }
+  Complaint end_polygon();
+  const Place& polygon_place() const { return polygon_place_; }
+  TriangleBuilder& triangles() { return triangles_; }
+
+  // Groups, names, motion.
+  Complaint open_group(std::string_view opener, const Place& place);
+  Complaint close_group();
+  Complaint name_last(std::string_view name, const Place& place);
+  Complaint add_instance(std::string_view name);
+  Complaint move_last(Vec3 motion);
+  ObjectTree& tree() { return tree_; }
+  const ObjectTree& tree() const { return tree_; }
+
+  // What is to be done with the scene.
+  Complaint add_picture(std::string file);
+  void add_timer(const Action& action) { actions_.push_back(action); }
+  void set_paint(Color color) { paint_ = color; }
+  void add_rect(int x0, int y0, int x1, int y1) { rects_.push_back({x0, y0, x1, y1, paint_}); }
+  std::size_t rects() const { return rects_.size(); }
+  std::size_t pictures() const { return pictures_; }
+  // The picture taken last; there must be one.
+  const Picture& last_picture() const { return std::get<Picture>(actions_[last_picture_]); }
+  // Everything asked for; the builder is empty afterwards.
+  std::vector<Action> take_actions();
+
+ private:
+  Complaint check_matrix();
+  std::uint32_t surface_index();
+  std::uint32_t placement_index();
+  std::size_t size_of_copy() const;
+  void share_with_pictures(Scene scene);
+
+  Scene scene_;  // its root is filled when a picture takes it
+  ObjectTree tree_;
+  TriangleBuilder triangles_;
+
+  Affine matrix_;
+  bool matrix_checked_ = true;
+  std::vector<std::pair<Affine, Place>> pushed_;
+  Surface surface_;
+  Place polygon_place_;
+
+  std::vector<Action> actions_;
+  std::vector<std::size_t> waiting_;  // pictures of the scene as it stands, not copied before it changes
+  std::size_t pictures_ = 0;
+  std::size_t last_picture_ = 0;
+  std::size_t copied_ = 0;
+  std::vector<PaintedRect> rects_;
+  Color paint_{1, 1, 1};
+};
+
+}  // namespace penumbra

@@ -1,0 +1,51 @@
+// From `.cli` text to what it asks for: the pictures to render, in the order of the file, each with the scene as it
+// stood at that line. The only door of this room.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+// A filled rectangle of the 2-D test commands, painted over a picture after it is rendered: columns x0..x1-1, rows
+// H-y1..H-1-y0 counted from the top, clipped to the picture.
+struct PaintedRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  Color color{1, 1, 1};
+};
+
+// `render`, `write FILE`, or the end of a file that has neither.
+struct Picture {
+  std::string file;  // as written in the scene; empty where it names none
+  std::shared_ptr<const Scene> scene;
+  std::vector<PaintedRect> rects;
+};
+struct ResetTimer {};
+struct PrintTimer {};
+using Action = std::variant<Picture, ResetTimer, PrintTimer>;
+
+struct SceneFile {
+  std::vector<Action> actions;          // empty if there is any error
+  std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
+  std::vector<std::string> files;       // all files that were read, each once, as the user would find them
+  bool found = true;                    // false: the scene file itself could not be opened
+};
+
+struct ReadOptions {
+  bool course = false;   // spheres and boxes keep radius and axes: only the centre or the corners are transformed
+  bool lenient = false;  // commands that only other programs know are skipped with a warning
+};
+
+// Reads the file and all that it names. Never throws for what the files contain.
+SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options);
+
+// The same for text already in memory; `path` is what errors call it and what relative names start from.
+SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options);
+
+}  // namespace penumbra

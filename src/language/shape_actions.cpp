@@ -1,0 +1,109 @@
+// The shapes. All follow the full matrix, except that with `--course` spheres and boxes keep their radius and axes.
+#include <fmt/format.h>
+
+#include "language/actions.hpp"
+#include "language/mesh.hpp"
+
+namespace penumbra::actions {
+namespace {
+
+void add_box(Reading& reading, const Call& call, Vec3 a, Vec3 b) {
+  reading.complain(call.place(), reading.builder.add_shape(Box{min(a, b), max(a, b)}));
+}
+
+// Adds a shape whose position has been transformed by hand.
+void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a, Vec3 b, Vec3 motion) {
+  if (!fits_single_precision(a) || !fits_single_precision(b)) {
+    return reading.diagnostics.error(call.place(), "the current matrix moves the shape too far away");
+  }
+  reading.complain(call.place(), reading.builder.add_unplaced_shape(shape, motion));
+}
+
+void add_sphere(Reading& reading, const Call& call, Vec3 start, Vec3 end) {
+  const Affine& matrix = reading.builder.matrix();
+  const Vec3 motion = transform_vector(matrix, end - start);
+  if (reading.options.course) {
+    const Vec3 center = transform_point(matrix, start);
+    add_unplaced(reading, call, Sphere{center, call[0]}, center, center, motion);
+  } else {
+    reading.complain(call.place(), reading.builder.add_shape(Sphere{start, call[0]}, motion));
+  }
+}
+
+void add_cylinder(Reading& reading, const Call& call, bool capped) {
+  const double low = std::min(call[3], call[4]);
+  const double high = std::max(call[3], call[4]);
+  if (low == high) reading.diagnostics.warning(call.place_of_argument(3), "this cylinder has no height");
+  reading.complain(call.place(), reading.builder.add_shape(Cylinder{call[0], call[1], call[2], low, high, capped}));
+}
+
+}  // namespace
+
+void begin(Reading& reading, const Call& call) {
+  reading.stray_vertex = false;
+  if (reading.builder.in_polygon()) {
+    reading.diagnostics.error(call.place(),
+                              fmt::format("`begin` while the polygon begun in line {} is still open",
+                                          reading.builder.polygon_place().line));
+    reading.builder.triangles().abandon_polygon();
+  }
+  const Complaint wrong = reading.builder.begin_polygon(call.place());
+  if (wrong.empty()) return;
+  reading.diagnostics.error(call.place(), wrong);
+  reading.stray_vertex = true;
+}
+
+void vertex(Reading& reading, const Call& call) {
+  if (reading.builder.in_polygon()) {
+    if (reading.builder.add_vertex(call.vec(0))) return;
+    reading.diagnostics.error(call.place(), "the current matrix moves this vertex too far away");
+  } else if (!reading.stray_vertex) {
+    reading.stray_vertex = true;
+    reading.diagnostics.error(call.place(), "`vertex` outside `begin` and `end`");
+  }
+}
+
+void texture_coord(Reading&, const Call&) {}
+
+void end(Reading& reading, const Call& call) {
+  if (reading.builder.in_polygon()) {
+    reading.complain(call.place(), reading.builder.end_polygon());
+  } else if (!reading.stray_vertex) {
+    const bool in_group = reading.builder.tree().open_groups() > 0;
+    const bool is_list = in_group && reading.builder.tree().innermost().opener == "begin_list";
+    reading.diagnostics.error(call.place(), "`end` without a `begin` before it",
+                              !in_group ? "" : is_list ? "did you mean `end_list`?" : "did you mean `end_accel`?");
+  }
+  reading.stray_vertex = false;
+}
+
+void sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call.vec(1), call.vec(1)); }
+
+void moving_sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call.vec(1), call.vec(4)); }
+
+void box(Reading& reading, const Call& call) {
+  if (!reading.options.course) return add_box(reading, call, call.vec(0), call.vec(3));
+  const Vec3 a = transform_point(reading.builder.matrix(), call.vec(0));
+  const Vec3 b = transform_point(reading.builder.matrix(), call.vec(3));
+  add_unplaced(reading, call, Box{min(a, b), max(a, b)}, a, b, {});
+}
+
+void cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, true); }
+
+void hollow_cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, false); }
+
+void mesh(Reading& reading, const Call& call) {
+  std::optional<NamedFile> file = open_named_file(reading, call);
+  if (!file) return;
+  SceneBuilder& builder = reading.builder;
+  builder.change();
+  TriangleStore& store = *builder.triangles().store();
+  const std::uint32_t first = builder.triangles().triangle_count();
+  const std::optional<MeshError> error = read_mesh(file->path, file->loaded.bytes, builder.matrix(), store);
+  if (!error) return reading.complain(call.place(), builder.add_mesh(first));
+  Place place = error->place;
+  place.visit = reading.diagnostics.open(file->path.string(), call.place());
+  reading.diagnostics.error(place, error->message);
+}
+
+}  // namespace penumbra::actions

@@ -1,0 +1,34 @@
+// How a picture is to be rendered, as one value: which part of it, with which extra layers, by how many threads.
+#pragma once
+
+#include <cstdint>
+
+namespace penumbra {
+
+// Pixels x0 <= x < x1, y0 <= y < y1, counted from the top left of the full picture.
+struct Crop {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+};
+
+// The layers beside the colour that can be asked for.
+struct Layers {
+  bool depth = false, normal = false, albedo = false, variance = false, samples = false;
+
+  bool any() const { return depth || normal || albedo || variance || samples; }
+};
+
+struct Plan {
+  Crop crop;
+  Layers layers;
+  int threads = 1;
+};
+
+// Samples first <= index < end of every pixel.
+struct SampleRange {
+  std::uint32_t first = 0, end = 0;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,28 @@
+// The one loop of the program: everything that renders, calls this.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "rendering/film.hpp"
+#include "rendering/plan.hpp"
+#include "tracing/kernel.hpp"
+
+namespace penumbra {
+
+// Shared with whoever watches or stops a render.
+struct RenderState {
+  std::atomic<std::uint64_t> pixel_samples_done{0};  // pixels times samples
+  std::atomic<std::uint64_t> rays{0};
+  std::atomic<bool> stop{false};  // ends the render after the tiles under way
+};
+
+// Adds the samples of the range to every pixel of the film, by `plan.threads` threads. Returns the rays sent. If it was
+// stopped, the film is incomplete and its sample count unchanged.
+RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan, SampleRange range,
+                         RenderState& state);
+
+// How many threads to use when none are asked for: what Slurm gives the task, else the processors this process may use.
+int default_thread_count();
+
+}  // namespace penumbra

@@ -1,0 +1,150 @@
+// What a scene is: plain data in double precision, no code that reads or renders.
+//
+// A scene is a tree of objects. Every object stands in the space of the group that holds it (for the root group: the
+// world). Triangles and meshes are stored in bulk, as positions already in the space of their group; objects only name
+// a range of them, so that ten million triangles cost their vertices and little else.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace penumbra {
+
+// The deepest recursion of rays that there is stack for.
+inline constexpr int most_depth = 100;
+
+using Color = Vec3;  // r, g, b; linear; 1 is the full output value, never clamped before the output
+
+struct Camera {
+  double fov_degrees = 60;    // full angle over the shorter side of the picture, below 180
+  Vec3 eye;                   // position in the world
+  Vec3 right{1, 0, 0};        // u: to the right of the picture
+  Vec3 up{0, 1, 0};           // v: to the top of the picture
+  Vec3 back{0, 0, 1};         // w: the view goes along -w
+  double lens_radius = 0;     // world units; 0 is a pinhole
+  double focus_distance = 1;  // distance along -w of the plane in focus
+  double shutter_open = 0;
+  double shutter_close = 1;
+};
+
+struct PointLight {
+  Vec3 position;
+  Color color;
+};
+
+// Each shadow ray goes to its own point, uniform over the disk's area; no cosine, no falloff, both sides shine.
+struct DiskLight {
+  Vec3 center;
+  double radius = 0;
+  Vec3 direction{0, -1, 0};  // normal of the disk, any length but zero
+  Color color;
+};
+
+// Full inside `inner_degrees` from the axis, none beyond `outer_degrees`, smoothstep between the cosines.
+struct SpotLight {
+  Vec3 position;
+  Vec3 direction{0, 0, -1};  // the axis, any length but zero
+  double inner_degrees = 0;
+  double outer_degrees = 0;
+  Color color;
+};
+
+using Light = std::variant<PointLight, DiskLight, SpotLight>;
+
+enum class Highlight : std::uint8_t { phong, blinn };  // max(0, R.V)^p or max(0, N.H)^p
+enum class Texture : std::uint8_t { none, noise, wood, marble, stone };
+
+struct Surface {
+  Color diffuse{1, 1, 1};
+  Color ambient;
+  Color specular;
+  double specular_power = 1;
+  double reflection = 0;        // k_refl
+  double gloss_radius = 0;      // radius of the ball added to the unit mirror direction
+  double transmission = 0;      // k_trans
+  double refraction_index = 1;  // inside, against 1 outside
+  double blur_radius = 0;       // radius of the ball added to the unit refracted direction
+  Highlight highlight = Highlight::blinn;
+  Texture texture = Texture::none;
+  double texture_scale = 1;  // of `noise`
+
+  bool operator==(const Surface&) const = default;
+};
+
+// Shapes in their own space; the object's `group_from_object` places them.
+struct Sphere {
+  Vec3 center;
+  double radius = 1;
+};
+struct Box {
+  Vec3 lo, hi;  // lo <= hi in every axis
+};
+struct Cylinder {  // along y
+  double radius = 1;
+  double x = 0, z = 0;
+  double y_min = 0, y_max = 1;
+  bool capped = true;
+};
+
+// `count` triangles of TriangleStore from `first` on: one triangle, one polygon, a run of them, or a whole mesh file.
+// Their positions are in the space of the group already; `group_from_object` is not applied to them.
+struct TriangleRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+// Places what a name stands for: group = M_instance * (what the object had when it was defined).
+struct Instance {
+  std::uint32_t definition = 0;  // index into Scene::definitions
+};
+
+struct Group;
+
+using Shape = std::variant<Sphere, Box, Cylinder, TriangleRange, Instance, std::shared_ptr<const Group>>;
+
+// One object of a group. Objects are in the order in which the file names them: at equal distance the first wins.
+struct Object {
+  Shape shape;
+  std::uint32_t surface = 0;    // index into Scene::surfaces; not used by groups and instances
+  std::uint32_t placement = 0;  // index into Scene::placements: group_from_object; 0 is the identity
+  Vec3 motion;                  // the object is shifted by time * motion, in the space of the group that holds it
+};
+
+struct Group {
+  std::vector<Object> objects;
+};
+
+// All triangles of a scene, indexed, in the order of the file: corner k of triangle i is vertices[indices[3 i + k]].
+// Shared between the pictures of one file: it only grows.
+struct TriangleStore {
+  std::vector<float> vertices;         // 3 floats a vertex, in the space of the group that holds the triangle
+  std::vector<std::uint32_t> indices;  // 3 a triangle; its outward side is (B-A)x(C-A)
+
+  std::size_t triangle_count() const { return indices.size() / 3; }
+};
+
+struct Scene {
+  Camera camera;
+  Color background;
+  int width = 300;
+  int height = 300;
+  int rays_per_pixel = 1;
+  int max_depth = 8;    // the eye ray has depth 0; at this depth no further ray is sent
+  std::string sampler;  // empty: the default of the program
+  std::uint32_t seed = 0;
+
+  std::vector<Light> lights;
+  std::vector<Surface> surfaces;
+  std::vector<Affine> placements{Affine{}};  // [0] is the identity
+  std::shared_ptr<TriangleStore> triangles;  // never null in a scene that was read
+  std::vector<Object> definitions;           // what the names stand for; an Instance names one by index
+  Group root;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,97 @@
+// From lanes to pixels: the only place where lanes meet. Each number is rounded to its quantum, so that sums are exact
+// in double precision and no order of samples, packets or passes shows in the picture.
+#pragma once
+
+#include "tracing/trace.hpp"
+
+namespace penumbra::PENUMBRA_KERNEL {
+
+// Adding and subtracting this rounds a double to a whole multiple of the quantum.
+PENUMBRA_INLINE double rounder(double quantum) { return quantum * 6755399441055744.0; }  // 1.5 * 2^52
+
+// The results of one packet of samples, as far as the film wants them.
+struct PacketResult {
+  static constexpr int most_channels = 14;
+  alignas(64) float values[most_channels][lane_count];
+  double round[most_channels];
+  int channels = 0;
+  int color_channels = 0;  // how many of the first also want their squares
+
+  PENUMBRA_INLINE void add(Floats value, double quantum) {
+    // What is not a finite number would spoil its pixel for good.
+    store(values[channels], keep(abs(value) < Floats(3e38f), value));
+    round[channels++] = rounder(quantum);
+  }
+  PENUMBRA_INLINE void add(Float3 value, double quantum) {
+    add(value.x, quantum);
+    add(value.y, quantum);
+    add(value.z, quantum);
+  }
+
+  PENUMBRA_INLINE PacketResult(const Frame& frame, const FilmView& film, Mask active, Float3 color,
+                               const FirstHits& first, const Rays& rays) {
+    add(keep(active, color), frame.color_quantum);
+    const Mask hit = active & first.found;
+    if (film.squares) color_channels = 3;
+    if (film.depth) {
+      const Float3 way = rays.origin + rays.direction * first.distance - broadcast3(frame.camera.eye);
+      add(keep(hit, dot(way, broadcast3(frame.camera.view))), frame.depth_quantum);
+      add(keep(hit, Floats(1)), 1.0 / (1 << 30));
+    }
+    if (film.normal) add(keep(hit, first.normal), 1.0 / (1 << 30));
+    if (film.albedo) add(keep(hit, first.albedo), frame.color_quantum);
+  }
+};
+
+// The sums of one pixel's samples, lane by lane.
+struct PixelSums {
+  alignas(64) double values[PacketResult::most_channels][lane_count] = {};
+  alignas(64) double squares[3][lane_count] = {};
+
+  PENUMBRA_INLINE void add(const PacketResult& packet) {
+    for (int c = 0; c < packet.channels; c++) {
+      const double round = packet.round[c];
+      for (int lane = 0; lane < lane_count; lane++) values[c][lane] += (double{packet.values[c][lane]} + round) - round;
+    }
+    for (int c = 0; c < packet.color_channels; c++) {
+      const double round = packet.round[c];
+      const double square_round = squares_rounder(round);
+      for (int lane = 0; lane < lane_count; lane++) {
+        const double value = (double{packet.values[c][lane]} + round) - round;
+        squares[c][lane] += (value * value + square_round) - square_round;
+      }
+    }
+  }
+
+  // The quantum of squares: that of the colour, times the largest colour the quantum was made for.
+  static PENUMBRA_INLINE double squares_rounder(double round) {
+    return round * (round * (1073741824.0 / 6755399441055744.0));
+  }
+};
+
+// Adds lanes first..last-1 of the sums to one pixel of the film.
+inline void add_to_film(const FilmView& film, int x, int y, const PixelSums& sums, int first, int last) {
+  const std::size_t pixel = static_cast<std::size_t>(y - film.y0) * static_cast<std::size_t>(film.width) +
+                            static_cast<std::size_t>(x - film.x0);
+  const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
+    for (int c = 0; c < channels; c++) {
+      double sum = 0;
+      for (int lane = first; lane < last; lane++) sum += values[c][lane];
+      plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] += sum;
+    }
+  };
+  add_plane(film.color, sums.values, 3);
+  if (film.squares) add_plane(film.squares, sums.squares, 3);
+  int channel = 3;
+  if (film.depth) {
+    add_plane(film.depth, sums.values + channel, 2);
+    channel += 2;
+  }
+  if (film.normal) {
+    add_plane(film.normal, sums.values + channel, 3);
+    channel += 3;
+  }
+  if (film.albedo) add_plane(film.albedo, sums.values + channel, 3);
+}
+
+}  // namespace penumbra::PENUMBRA_KERNEL

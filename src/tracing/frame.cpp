@@ -1,0 +1,133 @@
+#include "tracing/frame.hpp"
+
+#include <numbers>
+
+namespace penumbra {
+namespace {
+
+void set3(float (&out)[3], Vec3 v) {
+  for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
+}
+
+struct Axes {
+  Vec3 u, v;
+};
+
+// Two unit vectors that make a right-handed frame with the unit vector n (Duff et al. 2017).
+Axes axes_around(Vec3 n) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+}
+
+FrameCamera make_camera(const Scene& scene, const TracingOptions& options) {
+  const Camera& c = scene.camera;
+  FrameCamera camera{};
+  const double scale = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360) / std::min(scene.width, scene.height);
+  set3(camera.eye, c.eye);
+  set3(camera.per_x, c.right * scale);
+  set3(camera.per_y, c.up * -scale);
+  set3(camera.corner, c.right * (-0.5 * scene.width * scale) + c.up * (0.5 * scene.height * scale) - c.back);
+  set3(camera.view, -normalize(c.back));
+  camera.has_lens = c.lens_radius > 0;
+  if (camera.has_lens) {
+    set3(camera.lens_u, normalize(c.right) * c.lens_radius);
+    set3(camera.lens_v, normalize(c.up) * c.lens_radius);
+  }
+  camera.focus_distance = static_cast<float>(c.focus_distance);
+  camera.shutter_open = static_cast<float>(c.shutter_open);
+  camera.shutter_length = static_cast<float>(c.shutter_close - c.shutter_open);
+  const bool one_ray = options.rays_per_pixel <= 1;
+  camera.pixel_width = one_ray ? 0.0f : 1.0f;
+  camera.pixel_offset = options.course ? (one_ray ? 0.0f : -0.5f) : (one_ray ? 0.5f : 0.0f);
+  return camera;
+}
+
+FrameLight make_light(const PointLight& l) {
+  FrameLight light{};
+  light.kind = LightKind::point;
+  set3(light.position, l.position);
+  set3(light.color, l.color);
+  return light;
+}
+FrameLight make_light(const DiskLight& l) {
+  FrameLight light{};
+  light.kind = LightKind::disk;
+  set3(light.position, l.center);
+  set3(light.color, l.color);
+  const Axes axes = axes_around(normalize(l.direction));
+  set3(light.disk_u, axes.u * l.radius);
+  set3(light.disk_v, axes.v * l.radius);
+  return light;
+}
+FrameLight make_light(const SpotLight& l) {
+  FrameLight light{};
+  light.kind = LightKind::spot;
+  set3(light.position, l.position);
+  set3(light.color, l.color);
+  set3(light.axis, normalize(l.direction));
+  light.cosine_inner = static_cast<float>(std::cos(l.inner_degrees * std::numbers::pi / 180));
+  light.cosine_outer = static_cast<float>(std::cos(l.outer_degrees * std::numbers::pi / 180));
+  return light;
+}
+
+FrameSurface make_surface(const Surface& s) {
+  FrameSurface surface{};
+  set3(surface.diffuse, s.diffuse);
+  set3(surface.ambient, s.ambient);
+  set3(surface.specular, s.specular);
+  surface.specular_power = static_cast<float>(s.specular_power);
+  surface.reflection = static_cast<float>(s.reflection);
+  surface.gloss_radius = static_cast<float>(s.gloss_radius);
+  surface.transmission = static_cast<float>(s.transmission);
+  surface.refraction_index = static_cast<float>(s.refraction_index);
+  surface.blur_radius = static_cast<float>(s.blur_radius);
+  surface.texture_scale = static_cast<float>(s.texture_scale);
+  surface.blinn = s.highlight == Highlight::blinn;
+  surface.noise = s.texture == Texture::noise;
+  return surface;
+}
+
+// Fine enough for any output, coarse enough that the sum of 2^20 samples of this size is exact in 53 bits.
+double quantum_for(double largest) { return std::exp2(std::ceil(std::log2(std::max(largest, 1.0))) - 30); }
+
+double largest_color(const Scene& scene) {
+  double light = max_component(abs(scene.background));
+  for (const Light& l : scene.lights) light += std::visit([](const auto& x) { return max_component(abs(x.color)); }, l);
+  double reflected = 1;
+  for (const Surface& s : scene.surfaces) {
+    reflected = std::max({reflected, max_component(abs(s.diffuse) + abs(s.specular)), max_component(abs(s.ambient))});
+  }
+  return light * reflected;
+}
+
+}  // namespace
+
+Frame make_frame(const Scene& scene, const TracingOptions& options, int threads) {
+  Frame frame;
+  WorldOptions world_options;
+  world_options.shutter_open = scene.camera.shutter_open;
+  world_options.shutter_close = scene.camera.shutter_close;
+  world_options.threads = threads;
+  frame.world = build_world(scene, world_options);
+  frame.camera = make_camera(scene, options);
+  set3(frame.background, scene.background);
+  for (const Light& light : scene.lights) {
+    frame.lights.push_back(std::visit([](const auto& l) { return make_light(l); }, light));
+  }
+  for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
+  frame.options = options;
+  if (options.pattern == Pattern::sobol) {
+    frame.sobol = make_sobol_table(static_cast<std::uint32_t>(options.rays_per_pixel), options.seed);
+  }
+  frame.width = scene.width;
+  frame.height = scene.height;
+  frame.color_quantum = quantum_for(largest_color(scene));
+  double reach = max_component(abs(scene.camera.eye));
+  for (const Leaf& leaf : frame.world.leaves) reach = std::max(reach, double{leaf.magnitude});
+  frame.depth_quantum = quantum_for(reach);
+  return frame;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,76 @@
+// Everything a ray needs to know besides the geometry: camera, lights, surfaces, patterns and limits of one picture, in
+// single precision. Made once from scene and options, read by all threads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/world.hpp"
+#include "sampling/pattern.hpp"
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+// Options that change the light transport and not the scene.
+struct TracingOptions {
+  Pattern pattern = default_pattern;
+  std::uint32_t seed = 0;
+  int max_depth = 8;
+  int rays_per_pixel = 1;
+  bool course = false;  // the course's pixel corners
+  bool shadows = true;
+  bool transparent_shadows = false;
+};
+
+// Direction of the ray through (x, y) in pixels from the top left: x * per_x + y * per_y + corner, not normalised.
+struct FrameCamera {
+  float eye[3];
+  float per_x[3], per_y[3], corner[3];
+  float lens_u[3], lens_v[3];  // from the eye to the rim of the lens; zero for a pinhole
+  float view[3];               // unit vector along -w
+  float focus_distance;
+  bool has_lens;
+  float shutter_open, shutter_length;
+  // Where in the pixel a ray goes: u * pixel_width + pixel_offset from its left and top.
+  float pixel_width, pixel_offset;
+};
+
+enum class LightKind : std::uint8_t { point, disk, spot };
+
+struct FrameLight {
+  LightKind kind;
+  float position[3];
+  float color[3];
+  float disk_u[3], disk_v[3];  // from the centre to the rim
+  float axis[3];               // unit axis of a spotlight
+  float cosine_inner, cosine_outer;
+};
+
+struct FrameSurface {
+  float diffuse[3], ambient[3], specular[3];
+  float specular_power;
+  float reflection, gloss_radius;
+  float transmission, refraction_index, blur_radius;
+  float texture_scale;
+  bool blinn;
+  bool noise;
+};
+
+struct Frame {
+  World world;
+  FrameCamera camera;
+  float background[3];
+  std::vector<FrameLight> lights;
+  std::vector<FrameSurface> surfaces;
+  TracingOptions options;
+  SobolTable sobol;
+  int width = 0, height = 0;
+  // Powers of two: samples are rounded to whole multiples of these before they are summed.
+  double color_quantum = 0, depth_quantum = 0;
+};
+
+// Compiles the scene for the given options; the world is built for the scene's shutter.
+// Throws std::runtime_error where build_world does.
+Frame make_frame(const Scene& scene, const TracingOptions& options, int threads);
+
+}  // namespace penumbra

@@ -1,0 +1,82 @@
+// The door between code for any machine and code for one instruction set: a table of plain functions, one for each set
+// of lanes that was compiled. Nothing else of the compiled packets is visible outside.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "tracing/frame.hpp"
+
+namespace penumbra {
+
+struct RayCounts {
+  std::uint64_t camera = 0, shadow = 0, reflection = 0, transmission = 0;
+
+  RayCounts& operator+=(const RayCounts& other) {
+    camera += other.camera;
+    shadow += other.shadow;
+    reflection += other.reflection;
+    transmission += other.transmission;
+    return *this;
+  }
+  std::uint64_t total() const { return camera + shadow + reflection + transmission; }
+};
+
+// Where the sums of samples go: planes of doubles, `channels` numbers a pixel, row by row over the window that starts
+// at (x0, y0); a plane that is not wanted is null. Every number is a whole multiple of its quantum before it is added,
+// so that the sums are exact and do not depend on the order of the samples.
+struct FilmView {
+  double* color = nullptr;    // 3: r, g, b
+  double* squares = nullptr;  // 3: of the same
+  double* depth = nullptr;    // 2: distance along the view, number of samples that hit anything
+  double* normal = nullptr;   // 3
+  double* albedo = nullptr;   // 3
+  int x0 = 0, y0 = 0, width = 0;
+};
+
+// Pixels x0 <= x < x1, y0 <= y < y1 of the picture, samples first <= index < end of each.
+struct TileSamples {
+  int x0, y0, x1, y1;
+  std::uint32_t first, end;
+};
+
+struct ProbeRay {
+  float origin[3], direction[3];  // direction of any length
+  float time, farthest;
+};
+struct ProbeHit {
+  float distance;  // infinity where nothing is nearer than `farthest`
+  std::uint32_t surface;
+  float normal[3], point[3];
+};
+
+enum class LaneFunction { sine, cosine, log2, exp2, power, acos_turns, disk_x, disk_y, ball_x, ball_y, ball_z, noise };
+
+struct Kernel {
+  const char* isa;  // sse42, avx2, avx512
+  int lanes;
+  // Adds the samples to the film and the rays to the counts. Allocates nothing.
+  void (*render_tile)(const Frame&, const FilmView&, const TileSamples&, RayCounts&);
+  // The two questions of the world, for tests and tools: the same packets as in a picture, ray by ray.
+  void (*intersect)(const World&, std::span<const ProbeRay>, std::span<ProbeHit>);
+  void (*occluded)(const World&, std::span<const ProbeRay>, std::span<bool>);
+  // Elementary functions and warps as the packets compute them, for tests: out[i] = function(a[i], b[i], c[i]).
+  void (*evaluate)(LaneFunction function, std::span<const float> a, std::span<const float> b, std::span<const float> c,
+                   std::span<float> out);
+  // The first u.size() sample points of a pixel in two dimensions, for tests and tools: `dimension` and the next of the
+  // joint ones (a JointDimension), or the padded pair named by `dimension`.
+  void (*sample_points)(const Frame&, int x, int y, std::uint32_t dimension, bool joint, std::span<float> u,
+                        std::span<float> v);
+};
+
+namespace lanes4 {
+extern const Kernel kernel;
+}
+namespace lanes8 {
+extern const Kernel kernel;
+}
+namespace lanes16 {
+extern const Kernel kernel;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,121 @@
+// Damaged pictures: cut off anywhere and changed anywhere, reading gives an error of the right kind or a picture, and
+// never anything worse (run with sanitizers, this is a small fuzz test).
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "base/atomic_file.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "image/test_pictures.hpp"
+
+namespace penumbra {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+using Decoder = ImageFile (*)(std::span<const std::byte>, const std::string&);
+
+// The sentence of the error, empty for a picture.
+std::string error_of(Decoder decode, std::span<const std::byte> bytes) {
+  try {
+    const ImageFile file = decode(bytes, "bad");
+    EXPECT_EQ(file.image.rgb.size(), std::size_t(file.image.width) * std::size_t(file.image.height) * 3);
+    return "";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.exit_code, 65) << error.what();
+    EXPECT_TRUE(std::strncmp(error.what(), "`bad` is not a good ", 20) == 0) << error.what();
+    return error.what();
+  }
+}
+
+// An exact copy on the heap, so that a sanitizer sees every step beyond its end.
+std::string error_of_copy(Decoder decode, const Bytes& bytes, std::size_t size) {
+  const Bytes copy(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  return error_of(decode, copy);
+}
+
+void cut_everywhere(Decoder decode, const Bytes& bytes) {
+  for (std::size_t size = 0; size < bytes.size(); size++) {
+    ASSERT_NE(error_of_copy(decode, bytes, size), "") << size << " of " << bytes.size() << " bytes";
+  }
+  EXPECT_EQ(error_of(decode, bytes), "");
+}
+
+// How many of the changes are noticed.
+int change_everywhere(Decoder decode, const Bytes& bytes) {
+  int errors = 0;
+  for (std::size_t at = 0; at < bytes.size(); at++) {
+    for (const int mask : {0x01, 0x80, 0xff, 0x7f}) {
+      Bytes changed = bytes;
+      changed[at] ^= static_cast<std::byte>(mask);
+      errors += error_of(decode, changed).empty() ? 0 : 1;
+    }
+  }
+  return errors;
+}
+
+Bytes small_png(int bits) { return encode_png(test::pattern(12, 9), {{"scene", "s01a.cli"}}, bits, Rounding::nearest); }
+
+TEST(DamagedPng, CutAnywhere) {
+  cut_everywhere(decode_png, small_png(8));
+  cut_everywhere(decode_png, small_png(16));
+}
+
+TEST(DamagedPng, ChangedAnywhere) {
+  const Bytes bytes = small_png(8);
+  EXPECT_GT(change_everywhere(decode_png, bytes), static_cast<int>(2 * bytes.size()));
+}
+
+TEST(DamagedPng, TheErrorSaysWhatIsWrong) {
+  const Bytes bytes = small_png(8);
+  EXPECT_EQ(error_of_copy(decode_png, bytes, bytes.size() - 3),
+            "`bad` is not a good PNG file: the file ends too early");
+}
+
+// Sizes, and the checksum of the header chunk that goes with them (computed by hand, once, by another program).
+TEST(DamagedPng, AHugeSizeIsNotBelieved) {
+  Bytes bytes = small_png(8);
+  const unsigned char header[] = {0x00, 0x00, 0xff, 0x00, 0x00, 0x00, 0xff, 0x00, 8,
+                                  2,    0,    0,    0,    0x3c, 0xe4, 0x32, 0xdf};
+  for (std::size_t i = 0; i < sizeof header; i++) bytes[16 + i] = static_cast<std::byte>(header[i]);
+  EXPECT_EQ(error_of(decode_png, bytes), "`bad` is not a good PNG file: it says it has 65280 x 65280 pixels");
+}
+
+TEST(DamagedExr, CutAnywhere) {
+  cut_everywhere(decode_exr, encode_exr(whole_picture(test::pattern(12, 9))));
+  cut_everywhere(decode_exr, encode_exr(test::crop_with_layers()));
+}
+
+TEST(DamagedExr, ChangedAnywhere) {
+  change_everywhere(decode_exr, encode_exr(whole_picture(test::pattern(12, 40))));
+  change_everywhere(decode_exr, encode_exr(test::crop_with_layers()));
+}
+
+TEST(DamagedExr, TheHeaderIsNotBelieved) {
+  const Bytes bytes = encode_exr(whole_picture(test::pattern(12, 9)));
+  // Name, type and length come first; then x0, y0, x1, y1.
+  const std::string marker = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  const auto* text = reinterpret_cast<const char*>(bytes.data());
+  const std::size_t at = std::string(text, bytes.size()).find(marker) + marker.size() + 4;
+  for (const int value : {-5, 100000, 1000000, 2000000000, -2000000000}) {
+    for (const std::size_t field : {0u, 4u, 8u, 12u}) {
+      Bytes changed = bytes;
+      std::memcpy(&changed[at + field], &value, 4);
+      const bool harmless = value == -5 && field < 8;  // a larger window: the file may well end too early
+      if (!harmless) {
+        EXPECT_NE(error_of(decode_exr, changed), "") << value << " at " << field;
+      }
+    }
+  }
+}
+
+TEST(Damaged, NothingAndNonsense) {
+  for (const Decoder decode : {decode_png, decode_exr}) {
+    EXPECT_NE(error_of(decode, {}), "");
+    EXPECT_NE(error_of(decode, Bytes(1)), "");
+    EXPECT_NE(error_of(decode, Bytes(1000, std::byte{0x42})), "");
+  }
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,92 @@
+#include "app/check_command.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "support.hpp"
+
+namespace penumbra {
+namespace {
+
+struct Checked {
+  int code = 0;
+  std::string out, errors;
+};
+
+Checked check(const CheckOptions& options) {
+  Checked result;
+  char *out_text = nullptr, *error_text = nullptr;
+  std::size_t out_size = 0, error_size = 0;
+  std::FILE* const out = open_memstream(&out_text, &out_size);
+  std::FILE* const errors = open_memstream(&error_text, &error_size);
+  result.code = check_command(options, out, errors);
+  std::fclose(out);
+  std::fclose(errors);
+  result.out.assign(out_text, out_size);
+  result.errors.assign(error_text, error_size);
+  std::free(out_text);
+  std::free(error_text);
+  return result;
+}
+
+TEST(Check, saysWhatIsInAScene) {
+  const SceneFile file = read("image_size 640 480\nrays_per_pixel 64\nsampler random\nseed 5\nfov 45\neye 0 1 2\nlens .1 4\n"
+                              "shutter 0 .5\nbackground .2 .4 .8\n" + light +
+                              "disk_light 0 5 0 1 0 -1 0 1 1 1\nspotlight 0 5 0 0 -1 0 10 20 1 1 1\n" + light + ball +
+                              "surface 1 0 0\nbox 0 0 0 1 1 1\nmoving_object 1 0 0\ncylinder 1 0 0 0 1\n"
+                              "hollow_cylinder 1 0 0 0 1\nbegin_list\n" + triangle + triangle + ball + "end_list\n"
+                              "named_object g\ninstance g\ninstance g\npush\nwrite out.png\nrender\nrect 0 0 5 5\nrender\n");
+  EXPECT_EQ(describe(file),
+            "read: s.cli\n"
+            "picture 1: out.png\n"
+            "  size       640 x 480\n"
+            "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
+            "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
+            "  background 0.2 0.4 0.8\n"
+            "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+            "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
+            "  surfaces   2\n"
+            "picture 2: named after the scene, the same scene\n"
+            "picture 3: named after the scene\n"
+            "  size       640 x 480\n"
+            "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
+            "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
+            "  background 0.2 0.4 0.8\n"
+            "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+            "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
+            "  surfaces   2\n"
+            "  painted    1 rectangle\n"
+            "1 warning\n");
+}
+
+TEST(Check, hasAnExitCodeForEachCase) {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("penumbra-check-test-" + std::to_string(::getpid()) + ".cli");
+  std::ofstream(path) << light << ball;
+  Checked result = check({.scene = path});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.errors, "");
+  EXPECT_NE(result.out.find("  objects    1 sphere\n"), std::string::npos);
+
+  std::ofstream(path) << light << ball << "torus 1 2 3\n";
+  result = check({.scene = path});
+  EXPECT_EQ(result.code, 65);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.errors.find(":3:1: error: `torus` is a command that only other programs know\n"), std::string::npos);
+  result = check({.scene = path, .lenient = true});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
+
+  std::ofstream(path) << "read no-such-file.cli\n";
+  EXPECT_EQ(check({.scene = path}).code, 65);
+  std::filesystem::remove(path);
+  result = check({.scene = path});
+  EXPECT_EQ(result.code, 66);
+  EXPECT_EQ(result.errors, path.string() + ": error: cannot read this file: No such file or directory\n");
+}
+
+}  // namespace
+}  // namespace penumbra

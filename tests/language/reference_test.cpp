@@ -1,0 +1,49 @@
+// Published course scenes, where they are at hand: every one is read without an error.
+#include <cstdlib>
+#include <filesystem>
+
+#include "support.hpp"
+
+namespace penumbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path reference_folder() {
+  const char* const named = std::getenv("PENUMBRA_REFERENCE_DIR");
+  return named != nullptr ? fs::path(named) : fs::path(PENUMBRA_ROOT) / "../shared/reference";
+}
+
+TEST(Reference, everySceneIsRead) {
+  if (!fs::is_directory(reference_folder())) GTEST_SKIP() << "no reference scenes here";
+  int scenes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(reference_folder())) {
+    const fs::path path = entry.path() / "scene.cli";
+    if (!fs::exists(path)) continue;
+    scenes++;
+    for (const bool course : {false, true}) {
+      const SceneFile file = read_scene(path, {.course = course});
+      EXPECT_FALSE(has_error(file.diagnostics)) << told(file);
+      EXPECT_GE(pictures(file).size(), 1u) << path;
+      for (const Diagnostic& d : file.diagnostics) {
+        EXPECT_NE(d.message.find("for the time being"), std::string::npos) << "an unexpected warning: " << to_string(d);
+      }
+    }
+  }
+  EXPECT_GT(scenes, 0);
+}
+
+TEST(Reference, theBunnyIsOneGroup) {
+  const fs::path path = reference_folder() / "27-3-bunny-accel/scene.cli";
+  if (!fs::exists(path)) GTEST_SKIP() << "no reference scenes here";
+  const SceneFile file = read_scene(path, {});
+  ASSERT_EQ(file.actions.size(), 3u);
+  const Scene& scene = *pictures(file).at(0).scene;
+  ASSERT_EQ(scene.root.objects.size(), 2u);
+  const auto& bunny = *shape_of<std::shared_ptr<const Group>>(scene.root.objects[1]);
+  ASSERT_EQ(bunny.objects.size(), 1u);
+  EXPECT_EQ(shape_of<TriangleRange>(bunny.objects[0]).count, 966u);
+}
+
+}  // namespace
+}  // namespace penumbra

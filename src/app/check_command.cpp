@@ -95,8 +95,8 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   Counts counts;
   count_objects(scene.root.objects, counts);
   count_objects(scene.definitions, counts);
-  std::string text = fmt::format("picture {}: {}\n", number,
-                                 picture.file.empty() ? "named after the scene" : picture.file);
+  std::string text =
+      fmt::format("picture {}: {}\n", number, picture.file.empty() ? "named after the scene" : picture.file);
   const auto row = [&](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", name, value);
   };

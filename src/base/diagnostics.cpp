@@ -1,4 +1,5 @@
-// How a finding reads on a terminal: the place and the message, the line itself, a caret under the marked text, the hint.
+// How a finding reads on a terminal: the place and the message, the line itself, a caret under the marked text, the
+// hint.
 #include "base/diagnostics.hpp"
 
 #include <fmt/format.h>

@@ -71,6 +71,19 @@ void set3(float* out, Vec3 v) {
   for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
 }
 
+// The unit normal of a triangle leaf, to the bit as for the triangles of a mesh (geometry/mesh_packet.hpp), so that both
+// rooms agree on what is equally far. Where single precision has no answer, the double one.
+void set_normal(float (&data)[12]) {
+  const float ux = data[3] - data[0], uy = data[4] - data[1], uz = data[5] - data[2];
+  const float vx = data[6] - data[0], vy = data[7] - data[1], vz = data[8] - data[2];
+  const float n[3] = {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+  const float inverse = 1.0f / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; i++) data[9 + i] = n[i] * inverse;
+  if (std::isfinite(inverse)) return;
+  const Vec3 a{data[0], data[1], data[2]};
+  set3(data + 9, normalize(cross(Vec3{data[3], data[4], data[5]} - a, Vec3{data[6], data[7], data[8]} - a)));
+}
+
 void set_sphere(Leaf& leaf, const Sphere& s) {
   leaf.kind = LeafKind::sphere;
   set3(leaf.data, s.center);
@@ -377,8 +390,7 @@ class WorldBuilder {
       const Vec3 a = vertex(triangle, 0);
       const Vec3 b = vertex(triangle, 1);
       const Vec3 c = vertex(triangle, 2);
-      const Vec3 normal = cross(b - a, c - a);
-      if (!(length(normal) > 0)) continue;  // a triangle without area is never hit
+      if (!(length(cross(b - a, c - a)) > 0)) continue;  // a triangle without area is never hit
       Leaf leaf;
       leaf.kind = LeafKind::triangle;
       leaf.order = run.order + i;
@@ -386,7 +398,7 @@ class WorldBuilder {
       set3(leaf.data, a);
       set3(leaf.data + 3, b);
       set3(leaf.data + 6, c);
-      set3(leaf.data + 9, normalize(normal));
+      set_normal(leaf.data);
       add_ordered_leaf(parts, leaf, bounds_of(TriangleRange{triangle, 1}), motion, shape_cost, 0);
     }
   }

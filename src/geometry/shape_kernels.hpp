@@ -57,9 +57,17 @@ PENUMBRA_INLINE Interval cross_slabs(const float* box, Float3 origin, Float3 inv
   return {max(max(min(a.x, b.x), min(a.y, b.y)), min(a.z, b.z)), min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z))};
 }
 
+// By division, not by the inverse: a plane of one coordinate is at the same distance whatever shape it belongs to.
 PENUMBRA_INLINE Crossing cross_box(const float* box, Float3 origin, Float3 direction, Floats nearest) {
-  const Interval inside = cross_slabs(box, origin, safe_inverse(direction));
-  return first_beyond(nearest, inside.enter <= inside.leave, inside.enter, inside.leave);
+  const auto divisor = [](Floats x) { return copysign(max(abs(x), Floats(1e-30f)), x); };
+  const Float3 d{divisor(direction.x), divisor(direction.y), divisor(direction.z)};
+  const Float3 lo = broadcast3(box) - origin;
+  const Float3 hi = broadcast3(box + 3) - origin;
+  const Float3 a{lo.x / d.x, lo.y / d.y, lo.z / d.z};
+  const Float3 b{hi.x / d.x, hi.y / d.y, hi.z / d.z};
+  const Floats enter = max(max(min(a.x, b.x), min(a.y, b.y)), min(a.z, b.z));
+  const Floats leave = min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z));
+  return first_beyond(nearest, enter <= leave, enter, leave);
 }
 
 // The face is the one whose plane the point is nearest to, in units of the box's half extent.
@@ -106,9 +114,9 @@ PENUMBRA_INLINE Crossing cross_cylinder(const float* data, Float3 origin, Float3
   const Floats wall_leave = select(along_axis, infinity, middle + half_chord);
 
   if (capped) {
-    const Floats inverse_y = Floats(1) / copysign(max(abs(direction.y), Floats(1e-30f)), direction.y);
-    const Floats p = (Floats(data[3]) - origin.y) * inverse_y;
-    const Floats q = (Floats(data[4]) - origin.y) * inverse_y;
+    const Floats divisor = copysign(max(abs(direction.y), Floats(1e-30f)), direction.y);
+    const Floats p = (Floats(data[3]) - origin.y) / divisor;
+    const Floats q = (Floats(data[4]) - origin.y) / divisor;
     const Floats enter = max(wall_enter, min(p, q));
     const Floats leave = min(wall_leave, max(p, q));
     return first_beyond(nearest, meets_wall & (enter <= leave), enter, leave);

@@ -16,16 +16,51 @@ inline constexpr float distance_margin = 1.0f + 1.0f / (1 << 20);
 
 inline constexpr int traversal_stack_size = 64;
 
-// What a traversal of one group carries along for its rays.
+// Which of a node's bounds each axis enters and leaves by, where all rays of a packet agree: it halves the work of a slab.
+struct SlabOrder {
+  bool agreed = true;
+  int enter[3], leave[3];
+
+  PENUMBRA_INLINE SlabOrder() = default;
+  PENUMBRA_INLINE SlabOrder(Float3 inverse_direction, Mask active) {
+    const Floats axes[3] = {inverse_direction.x, inverse_direction.y, inverse_direction.z};
+    for (int axis = 0; axis < 3; axis++) {
+      const Mask forward = active & (axes[axis] > Floats(0));
+      const bool any_forward = any(forward);
+      agreed = agreed && (!any_forward || bits(forward) == bits(active));
+      enter[axis] = any_forward ? axis : 3 + axis;
+      leave[axis] = any_forward ? 3 + axis : axis;
+    }
+  }
+};
+
+// What a traversal of one group carries along for its rays. Nothing is prepared that a group of few shapes does not need.
 struct GroupRays {
   const World& world;
   const Rays& rays;
   Float3 inverse_direction;
+  SlabOrder order;
   RayShear shear;
 
-  PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r)
-      : world(w), rays(r), inverse_direction(safe_inverse(r.direction)) {
-    if (group.has_triangles) shear = RayShear(r.direction);
+  PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask active) : world(w), rays(r) {
+    if (!is_leaf(group.root)) {
+      inverse_direction = safe_inverse(r.direction);
+      order = SlabOrder(inverse_direction, active);
+    }
+    if (group.has_triangles) shear = RayShear(r.direction, active);
+  }
+
+  // Where the rays are inside the bounds of a node's child.
+  template <bool agreed>
+  PENUMBRA_INLINE Interval inside(const float* bounds) const {
+    if constexpr (!agreed) return cross_slabs(bounds, rays.origin, inverse_direction);
+    const Floats enter_x = (Floats(bounds[order.enter[0]]) - rays.origin.x) * inverse_direction.x;
+    const Floats enter_y = (Floats(bounds[order.enter[1]]) - rays.origin.y) * inverse_direction.y;
+    const Floats enter_z = (Floats(bounds[order.enter[2]]) - rays.origin.z) * inverse_direction.z;
+    const Floats leave_x = (Floats(bounds[order.leave[0]]) - rays.origin.x) * inverse_direction.x;
+    const Floats leave_y = (Floats(bounds[order.leave[1]]) - rays.origin.y) * inverse_direction.y;
+    const Floats leave_z = (Floats(bounds[order.leave[2]]) - rays.origin.z) * inverse_direction.z;
+    return {max(max(enter_x, enter_y), enter_z), min(min(leave_x, leave_y), leave_z)};
   }
 };
 
@@ -194,8 +229,8 @@ struct AnySearch {
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats) const { return active & ~blocked; }
 };
 
-template <typename Search>
-PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask active, Search& search) {
+template <bool agreed, typename Search>
+PENUMBRA_INLINE void traverse_nodes(const GroupRays& g, NodeReference root, Mask active, Search& search) {
   struct Waiting {
     Floats enter;
     Mask active;
@@ -212,8 +247,8 @@ PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask activ
       if (search.done(active)) return;
     } else {
       const Node& node = g.world.nodes[current];
-      const Interval a = cross_slabs(node.bounds[0], g.rays.origin, g.inverse_direction);
-      const Interval b = cross_slabs(node.bounds[1], g.rays.origin, g.inverse_direction);
+      const Interval a = g.inside<agreed>(node.bounds[0]);
+      const Interval b = g.inside<agreed>(node.bounds[1]);
       const Floats margin = Floats(distance_margin);
       const Floats zero = Floats(0);
       const Floats leave_a = min(a.leave * margin, search.cull_distance);
@@ -246,8 +281,19 @@ PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask activ
   }
 }
 
+template <typename Search>
+PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask active, Search& search) {
+  if (is_leaf(root)) {
+    for (std::uint32_t i = 0; i < leaf_count(root); i++) search.visit(g, leaf_first(root) + i, active);
+  } else if (g.order.agreed) {
+    traverse_nodes<true>(g, root, active, search);
+  } else {
+    traverse_nodes<false>(g, root, active, search);
+  }
+}
+
 inline void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
-  const GroupRays g(world, world.groups[group], rays);
+  const GroupRays g(world, world.groups[group], rays, active);
   NearestSearch search(hits);
   traverse(g, world.groups[group].root, active, search);
 
@@ -263,7 +309,7 @@ inline void intersect_group(const World& world, std::uint32_t group, const Rays&
 }
 
 inline Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active) {
-  const GroupRays g(world, world.groups[group], rays);
+  const GroupRays g(world, world.groups[group], rays, active);
   AnySearch search(farthest);
   traverse(g, world.groups[group].root, active, search);
   return search.blocked;

@@ -11,9 +11,11 @@ namespace penumbra::PENUMBRA_KERNEL {
 // The shear that turns the ray's direction into its largest axis, as three rows.
 struct RayShear {
   Float3 row_x, row_y, row_z;
+  Floats slope_x, slope_y;  // minus the other two axes per largest
+  int agreed_axis = -1;     // the largest axis, where all rays of a packet agree on it
 
   PENUMBRA_INLINE RayShear() = default;
-  PENUMBRA_INLINE explicit RayShear(Float3 d) {
+  PENUMBRA_INLINE RayShear(Float3 d, Mask active) {
     const Float3 size{abs(d.x), abs(d.y), abs(d.z)};
     const Mask z_largest = (size.z >= size.x) & (size.z >= size.y);
     const Mask y_largest = ~z_largest & (size.y >= size.x);
@@ -24,28 +26,48 @@ struct RayShear {
     const Floats next = select(z_largest, d.x, select(y_largest, d.z, d.y));
     const Floats last = select(z_largest, d.y, select(y_largest, d.x, d.z));
     const Floats inverse = one / along;
-    const Floats sx = -(next * inverse);
-    const Floats sy = -(last * inverse);
+    slope_x = -(next * inverse);
+    slope_y = -(last * inverse);
+    const std::uint32_t all = bits(active);
+    if ((bits(z_largest) & all) == all) agreed_axis = 2;
+    if ((bits(y_largest) & all) == all) agreed_axis = 1;
+    if ((bits(z_largest | y_largest) & all) == 0) agreed_axis = 0;
     const auto row = [&](Floats on_next, Floats on_last, Floats on_largest) {
       return Float3{select(z_largest, on_next, select(y_largest, on_last, on_largest)),
                     select(z_largest, on_last, select(y_largest, on_largest, on_next)),
                     select(z_largest, on_largest, select(y_largest, on_next, on_last))};
     };
-    row_x = row(one, zero, sx);
-    row_y = row(zero, one, sy);
+    row_x = row(one, zero, slope_x);
+    row_y = row(zero, one, slope_y);
     row_z = row(zero, zero, inverse);
+  }
+
+  struct Projected {
+    Floats x, y;
+  };
+  // A corner, relative to the origin, as the ray sees it. Both ways give the same bits: the rows hold exact ones and
+  // zeros besides the slope.
+  PENUMBRA_INLINE Projected project(Float3 corner) const {
+    switch (agreed_axis) {
+      case 0:
+        return {corner.y + corner.x * slope_x, corner.z + corner.x * slope_y};
+      case 1:
+        return {corner.z + corner.y * slope_x, corner.x + corner.y * slope_y};
+      case 2:
+        return {corner.x + corner.z * slope_x, corner.y + corner.z * slope_y};
+      default:
+        return {dot(corner, row_x), dot(corner, row_y)};
+    }
   }
 };
 
 // corners a, b, c relative to the ray's origin.
 PENUMBRA_INLINE Crossing cross_triangle(Float3 a, Float3 b, Float3 c, Float3 normal, Float3 direction, Floats nearest,
                                         const RayShear& shear) {
-  const Floats ax = dot(a, shear.row_x), ay = dot(a, shear.row_y);
-  const Floats bx = dot(b, shear.row_x), by = dot(b, shear.row_y);
-  const Floats cx = dot(c, shear.row_x), cy = dot(c, shear.row_y);
-  const Floats u = cx * by - cy * bx;
-  const Floats v = ax * cy - ay * cx;
-  const Floats w = bx * ay - by * ax;
+  const RayShear::Projected pa = shear.project(a), pb = shear.project(b), pc = shear.project(c);
+  const Floats u = pc.x * pb.y - pc.y * pb.x;
+  const Floats v = pa.x * pc.y - pa.y * pc.x;
+  const Floats w = pb.x * pa.y - pb.y * pa.x;
   const Floats zero = Floats(0);
   const Mask all_positive = (u >= zero) & (v >= zero) & (w >= zero);
   const Mask all_negative = (u <= zero) & (v <= zero) & (w <= zero);

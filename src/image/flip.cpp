@@ -109,8 +109,8 @@ Plane filter_rows(const Plane& plane, const Kernel& across) {
   std::vector<float> padded(width + across.size());
   for (std::size_t start = 0; start < plane.values.size(); start += width) {
     const float* row = &plane.values[start];
-    for (int x = -radius; x < plane.width + radius; x++) {
-      padded[static_cast<std::size_t>(x + radius)] = row[std::clamp(x, 0, plane.width - 1)];
+    for (std::size_t i = 0; i < padded.size(); i++) {
+      padded[i] = row[std::clamp(static_cast<int>(i) - radius, 0, plane.width - 1)];
     }
     for (std::size_t i = 0; i < weights.size(); i++) {
       for (std::size_t x = 0; x < width; x++) result.values[start + x] += weights[i] * padded[x + i];
@@ -241,10 +241,10 @@ Features features_of(Plane achromatic, double pixels_per_degree) {
   const int radius = static_cast<int>(std::ceil(3 * deviation));
   const Kernel bell = gaussian(radius, deviation);
   Kernel edge = bell, point = bell;
-  for (int i = -radius; i <= radius; i++) {
-    const auto k = static_cast<std::size_t>(i + radius);
-    edge[k] *= -i;
-    point[k] *= i * i / (deviation * deviation) - 1;
+  for (std::size_t k = 0; k < bell.size(); k++) {
+    const double x = static_cast<double>(k) - radius;
+    edge[k] *= -x;
+    point[k] *= x * x / (deviation * deviation) - 1;
   }
   const Kernel smoothing = scaled(bell, 1 / sum_of(bell));
   return {gradient_length(achromatic, balanced(edge), smoothing),

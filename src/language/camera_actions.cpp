@@ -41,9 +41,9 @@ void uvw(Reading& reading, const Call& call) {
 
 void lens(Reading& reading, const Call& call) {
   if (call[0] > 0 && call[1] <= 0) {
-    return reading.diagnostics.error(call.place_of_argument(1),
-                                     fmt::format("`dist` of `lens` has to be greater than 0; found {}",
-                                                 in_quotes(call.word(1))));
+    return reading.diagnostics.error(
+        call.place_of_argument(1),
+        fmt::format("`dist` of `lens` has to be greater than 0; found {}", in_quotes(call.word(1))));
   }
   Camera& camera = reading.builder.change().camera;
   camera.lens_radius = call[0];
@@ -80,9 +80,7 @@ void sampler(Reading& reading, const Call& call) {
   }
 }
 
-void seed(Reading& reading, const Call& call) {
-  reading.builder.change().seed = static_cast<std::uint32_t>(call[0]);
-}
+void seed(Reading& reading, const Call& call) { reading.builder.change().seed = static_cast<std::uint32_t>(call[0]); }
 
 void max_depth(Reading& reading, const Call& call) { reading.builder.change().max_depth = call.whole(0); }
 

@@ -82,15 +82,16 @@ std::vector<Diagnostic> DiagnosticList::take() {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b) { return a.path < b.path; });
 
   std::vector<Diagnostic> list;
-  for (const auto& [path, finding] : sorted) {
-    const Place& place = finding->place;
-    const bool known = std::any_of(list.begin(), list.end(), [&](const Diagnostic& d) {
-      return d.file == file_of(place) && d.line == place.line && d.column == place.column &&
-             d.message == finding->message;
-    });
-    if (known) continue;
-    list.push_back({finding->severity, file_of(place), place.line, place.column, place.width, finding->message,
-                    place.source_line, finding->hint});
+  for (const Sorted& entry : sorted) {
+    const Finding& finding = *entry.finding;
+    const Place& place = finding.place;
+    const Diagnostic diagnostic{finding.severity, file_of(place),  place.line,        place.column,
+                                place.width,      finding.message, place.source_line, finding.hint};
+    const auto same = [&](const Diagnostic& d) {
+      return d.file == diagnostic.file && d.line == diagnostic.line && d.column == diagnostic.column &&
+             d.message == diagnostic.message;
+    };
+    if (std::none_of(list.begin(), list.end(), same)) list.push_back(diagnostic);
   }
   if (warnings_ > most_warnings) {
     Diagnostic more;

@@ -17,14 +17,14 @@ void begin_group(Reading& reading, const Call& call) {
 void end_group(Reading& reading, const Call& call) {
   const ObjectTree& tree = reading.builder.tree();
   if (tree.open_groups() == 0) {
-    return reading.diagnostics.error(
-        call.place(), fmt::format("`{}` without a `{}` before it", call.command.name,
-                                  call.command.name == "end_list" ? "begin_list" : "begin_accel"));
+    return reading.diagnostics.error(call.place(),
+                                     fmt::format("`{}` without a `{}` before it", call.command.name,
+                                                 call.command.name == "end_list" ? "begin_list" : "begin_accel"));
   }
   const OpenGroup& group = tree.innermost();
   if (call.command.name == "end_list" && group.opener == "begin_accel") {
-    reading.diagnostics.warning(call.place(), fmt::format("`end_list` ends the `begin_accel` in line {}",
-                                                          group.place.line));
+    reading.diagnostics.warning(call.place(),
+                                fmt::format("`end_list` ends the `begin_accel` in line {}", group.place.line));
   }
   if (group.objects.empty()) reading.diagnostics.warning(group.place, "this group is empty");
   reading.complain(call.place(), reading.builder.close_group());

@@ -73,14 +73,15 @@ bool read_number(Reading& reading, Call& call, int i) {
   const std::string_view word = call.word(i);
   switch (parse_number(word, value)) {
     case NumberError::not_a_number:
-      reading.diagnostics.error(call.place_of_argument(i),
-                                fmt::format("`{}` of `{}` has to be a number; found {}", argument.name,
-                                            call.command.name, in_quotes(word)));
+      reading.diagnostics.error(
+          call.place_of_argument(i),
+          fmt::format("`{}` of `{}` has to be a number; found {}", argument.name, call.command.name, in_quotes(word)));
       return false;
     case NumberError::too_large:
       reading.diagnostics.error(call.place_of_argument(i), fmt::format("the number {} is too large", in_quotes(word)));
       return false;
-    case NumberError::none: break;
+    case NumberError::none:
+      break;
   }
   if (accepts(argument, value)) return true;
   reading.diagnostics.error(call.place_of_argument(i),

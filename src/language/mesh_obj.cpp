@@ -15,15 +15,18 @@ namespace penumbra {
 namespace {
 
 constexpr std::array skipped{
-    std::string_view{"vt"},     std::string_view{"vn"},     std::string_view{"vp"},         std::string_view{"g"},
-    std::string_view{"o"},      std::string_view{"s"},      std::string_view{"usemtl"},     std::string_view{"mtllib"},
-    std::string_view{"l"},      std::string_view{"p"},      std::string_view{"usemap"},     std::string_view{"maplib"},
-    std::string_view{"bevel"},  std::string_view{"lod"},    std::string_view{"c_interp"},   std::string_view{"d_interp"},
-    std::string_view{"mg"},     std::string_view{"cstype"}, std::string_view{"shadow_obj"}, std::string_view{"trace_obj"},
-    std::string_view{"deg"},    std::string_view{"bmat"},   std::string_view{"step"},       std::string_view{"curv"},
-    std::string_view{"curv2"},  std::string_view{"surf"},   std::string_view{"parm"},       std::string_view{"trim"},
-    std::string_view{"hole"},   std::string_view{"scrv"},   std::string_view{"sp"},         std::string_view{"end"},
-    std::string_view{"con"},    std::string_view{"ctech"},  std::string_view{"stech"},      std::string_view{"call"},
+    std::string_view{"vt"},         std::string_view{"vn"},        std::string_view{"vp"},
+    std::string_view{"g"},          std::string_view{"o"},         std::string_view{"s"},
+    std::string_view{"usemtl"},     std::string_view{"mtllib"},    std::string_view{"l"},
+    std::string_view{"p"},          std::string_view{"usemap"},    std::string_view{"maplib"},
+    std::string_view{"bevel"},      std::string_view{"lod"},       std::string_view{"c_interp"},
+    std::string_view{"d_interp"},   std::string_view{"mg"},        std::string_view{"cstype"},
+    std::string_view{"shadow_obj"}, std::string_view{"trace_obj"}, std::string_view{"deg"},
+    std::string_view{"bmat"},       std::string_view{"step"},      std::string_view{"curv"},
+    std::string_view{"curv2"},      std::string_view{"surf"},      std::string_view{"parm"},
+    std::string_view{"trim"},       std::string_view{"hole"},      std::string_view{"scrv"},
+    std::string_view{"sp"},         std::string_view{"end"},       std::string_view{"con"},
+    std::string_view{"ctech"},      std::string_view{"stech"},     std::string_view{"call"},
 };
 
 class ObjReader {
@@ -79,7 +82,8 @@ class ObjReader {
       const std::string_view word = take_word(rest);
       if (word.empty()) return fail(command, "`v` needs three numbers: x y z");
       const NumberError error = parse_number(word, value);
-      if (error == NumberError::too_large) return fail(word, fmt::format("the number {} is too large", in_quotes(word)));
+      if (error == NumberError::too_large)
+        return fail(word, fmt::format("the number {} is too large", in_quotes(word)));
       if (error != NumberError::none) return fail(word, fmt::format("{} is not a number", in_quotes(word)));
     }
     const Vec3 position = transform_point(matrix_, {number[0], number[1], number[2]});

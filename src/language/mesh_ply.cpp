@@ -57,8 +57,8 @@ class PlyBody {
   bool fail_at_number(const PlyElement& element, std::uint64_t i) {
     const char* const at = source_.at();
     if (Source::is_binary || at == bytes_.data() + bytes_.size()) {
-      return fail(at, fmt::format("the file ends in element {} of {} of {}", i + 1, element.count,
-                                  in_quotes(element.name)));
+      return fail(
+          at, fmt::format("the file ends in element {} of {} of {}", i + 1, element.count, in_quotes(element.name)));
     }
     return fail(at, fmt::format("element {} of {} should have a number here", i + 1, in_quotes(element.name)));
   }
@@ -131,9 +131,8 @@ class PlyBody {
   }
 
   // Binary vertices without lists, with positions in single precision.
-  bool read_vertices_in_bulk(const PlyElement& element, std::size_t stride, const int (&axis)[3], float* out)
-    requires Source::is_binary
-  {
+  bool read_vertices_in_bulk(const PlyElement& element, std::size_t stride, const int (&axis)[3],
+                             float* out) requires Source::is_binary {
     std::size_t offset[3] = {};
     for (int a = 0; a < 3; a++) {
       for (int k = 0; k < axis[a]; k++) offset[a] += size_of(element.properties[static_cast<std::size_t>(k)].type);
@@ -176,9 +175,7 @@ class PlyBody {
   }
 
   // Reads faces as long as each is a triangle with good corners, and tells how many; the long way finds what is wrong.
-  std::uint64_t read_triangles_in_bulk(std::uint64_t count)
-    requires Source::is_binary
-  {
+  std::uint64_t read_triangles_in_bulk(std::uint64_t count) requires Source::is_binary {
     constexpr std::size_t stride = 13;
     count = std::min<std::uint64_t>({count, source_.remaining() / stride, largest_index - store_.triangle_count()});
     const std::size_t before = store_.indices.size();

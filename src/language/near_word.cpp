@@ -37,7 +37,9 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
   std::string_view nearest;
   int smallest = largest_distance(word.size()) + 1;
   for (const std::string_view candidate : known) {
-    if (candidate.size() > longest_word) continue;
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    if (longer > longest_word || longer - shorter >= static_cast<std::size_t>(smallest)) continue;
     const int distance = edit_distance(word, candidate);
     if (distance >= smallest) continue;
     smallest = distance;

@@ -13,9 +13,6 @@
 
 namespace penumbra {
 
-// Groups and instances may stand in one another this deep.
-inline constexpr int deepest_nesting = 64;
-
 // A group whose end has not been read. The first one is the scene itself.
 struct OpenGroup {
   std::vector<Object> objects;

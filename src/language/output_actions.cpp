@@ -38,9 +38,9 @@ void write(Reading& reading, const Call& call) { take_picture(reading, call, std
 void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
 
 void read(Reading& reading, const Call& call) {
-  if (reading.open_files.size() >= deepest_read) {
-    return reading.diagnostics.error(call.place(), fmt::format("files read one another more than {} deep",
-                                                               deepest_read));
+  if (reading.open_files.size() >= reading.limits.open_files) {
+    return reading.diagnostics.error(
+        call.place(), fmt::format("files read one another more than {} deep", reading.limits.open_files));
   }
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;

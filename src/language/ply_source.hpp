@@ -45,14 +45,30 @@ class PlyBinary {
   bool read(PlyType type, double& value) {
     if (remaining() < size_of(type)) return false;
     switch (type) {
-      case PlyType::int8: value = load_number<std::int8_t>(p_, swapped_); break;
-      case PlyType::uint8: value = load_number<std::uint8_t>(p_, swapped_); break;
-      case PlyType::int16: value = load_number<std::int16_t>(p_, swapped_); break;
-      case PlyType::uint16: value = load_number<std::uint16_t>(p_, swapped_); break;
-      case PlyType::int32: value = load_number<std::int32_t>(p_, swapped_); break;
-      case PlyType::uint32: value = load_number<std::uint32_t>(p_, swapped_); break;
-      case PlyType::float32: value = load_number<float>(p_, swapped_); break;
-      case PlyType::float64: value = load_number<double>(p_, swapped_); break;
+      case PlyType::int8:
+        value = load_number<std::int8_t>(p_, swapped_);
+        break;
+      case PlyType::uint8:
+        value = load_number<std::uint8_t>(p_, swapped_);
+        break;
+      case PlyType::int16:
+        value = load_number<std::int16_t>(p_, swapped_);
+        break;
+      case PlyType::uint16:
+        value = load_number<std::uint16_t>(p_, swapped_);
+        break;
+      case PlyType::int32:
+        value = load_number<std::int32_t>(p_, swapped_);
+        break;
+      case PlyType::uint32:
+        value = load_number<std::uint32_t>(p_, swapped_);
+        break;
+      case PlyType::float32:
+        value = load_number<float>(p_, swapped_);
+        break;
+      case PlyType::float64:
+        value = load_number<double>(p_, swapped_);
+        break;
     }
     p_ += size_of(type);
     return true;

@@ -20,8 +20,10 @@ Place whole_file(std::uint32_t visit) {
 Complaint count_file(Reading& reading, std::size_t size) {
   reading.reads++;
   reading.bytes += size;
-  if (reading.reads > most_reads) return fmt::format("the scene opens more than {} files", most_reads);
-  if (reading.bytes > most_bytes) return fmt::format("the files of the scene have more than {} bytes", most_bytes);
+  if (reading.reads > reading.limits.reads)
+    return fmt::format("the scene opens more than {} files", reading.limits.reads);
+  if (reading.bytes > reading.limits.bytes)
+    return fmt::format("the files of the scene have more than {} bytes", reading.limits.bytes);
   return {};
 }
 
@@ -35,7 +37,9 @@ void remember_file(Reading& reading, const std::filesystem::path& path) {
 void read_first_file(Reading& reading, const std::filesystem::path& path, LoadedFile file) {
   const std::uint32_t visit = reading.diagnostics.open(path.string(), {});
   remember_file(reading, path);
-  reading.complain(whole_file(visit), count_file(reading, file.bytes.view().size()));
+  if (const Complaint wrong = count_file(reading, file.bytes.view().size()); !wrong.empty()) {
+    return reading.diagnostics.error(whole_file(visit), wrong);
+  }
   reading.open_files.push_back({path, file.identity, visit});
   interpret_text(reading, file.bytes, visit);
   if (!reading.diagnostics.is_full()) finish_reading(reading);
@@ -60,12 +64,13 @@ void report_open_ends(Reading& reading) {
 void report_unused(Reading& reading) {
   for (const auto& [name, named] : reading.builder.tree().names) {
     if (named.used) continue;
-    reading.diagnostics.warning(named.place, fmt::format("{} is never used: there is no `instance` of it",
-                                                         in_quotes(name)));
+    reading.diagnostics.warning(named.place,
+                                fmt::format("{} is never used: there is no `instance` of it", in_quotes(name)));
   }
   if (reading.after_pictures) {
-    reading.diagnostics.warning(*reading.after_pictures, "from here on nothing is in a picture: the last one is taken "
-                                                         "before this line");
+    reading.diagnostics.warning(*reading.after_pictures,
+                                "from here on nothing is in a picture: the last one is taken "
+                                "before this line");
   }
 }
 
@@ -109,10 +114,8 @@ void warn_of_empty_picture(Reading& reading, const Place& place) {
 }
 
 SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
-                          const ReadOptions& options, FileLoader load) {
-  Reading reading;
-  reading.options = options;
-  reading.load = std::move(load);
+                          const ReadOptions& options, FileLoader load, const Limits& limits) {
+  Reading reading(options, std::move(load), limits);
   SceneFile result;
   LoadedFile file = reading.load(path);
   if (text) {

@@ -7,20 +7,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "language/command.hpp"
 #include "language/diagnostic_list.hpp"
 #include "language/file_bytes.hpp"
+#include "language/limits.hpp"
 #include "language/scene_builder.hpp"
 #include "language/scene_file.hpp"
 
 namespace penumbra {
-
-// Bounds on what one scene may open, so that files that read one another cannot keep the machine busy for ever.
-inline constexpr std::size_t deepest_read = 64;
-inline constexpr std::size_t most_reads = 65'536;
-inline constexpr std::uint64_t most_bytes = std::uint64_t{4} << 30;
 
 // One file that is being read.
 struct OpenFile {
@@ -30,8 +27,12 @@ struct OpenFile {
 };
 
 struct Reading {
+  Reading(const ReadOptions& read_options, FileLoader loader, const Limits& bounds)
+      : options(read_options), load(std::move(loader)), limits(bounds), builder(bounds) {}
+
   ReadOptions options;
   FileLoader load;
+  Limits limits;
   DiagnosticList diagnostics;
   SceneBuilder builder;
 
@@ -40,8 +41,8 @@ struct Reading {
   std::size_t reads = 0;
   std::uint64_t bytes = 0;
 
-  bool stray_vertex = false;        // a `vertex` outside a polygon was told; those that follow it are not
-  bool texture_warned[8] = {};      // one warning for each kind
+  bool stray_vertex = false;              // a `vertex` outside a polygon was told; those that follow it are not
+  bool texture_warned[8] = {};            // one warning for each kind
   std::uint64_t objects_in_pictures = 0;  // objects that had been added when the last picture was taken
   std::optional<Place> after_pictures;    // the first object after the last picture
 
@@ -64,7 +65,7 @@ void finish_reading(Reading& reading);
 
 // Reads a scene with files from `load`; with `text`, that instead of the contents of the first file.
 SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
-                          const ReadOptions& options, FileLoader load);
+                          const ReadOptions& options, FileLoader load, const Limits& limits = {});
 
 // Opens a file that a command names; reports at the command if that fails. The file is relative to the innermost one.
 struct NamedFile {

@@ -8,8 +8,6 @@
 namespace penumbra {
 namespace {
 
-// All pictures of a file together may copy this many objects, lights and the like.
-constexpr std::size_t largest_copies = std::size_t{1} << 24;
 // How far back an equal surface is looked for.
 constexpr std::size_t surfaces_to_compare = 8;
 
@@ -22,7 +20,7 @@ bool fits_single_precision(const Affine& m) {
 
 }  // namespace
 
-SceneBuilder::SceneBuilder() { scene_.triangles = triangles_.store(); }
+SceneBuilder::SceneBuilder(const Limits& limits) : limits_(limits) { scene_.triangles = triangles_.store(); }
 
 Scene& SceneBuilder::change() {
   if (!waiting_.empty()) {
@@ -51,7 +49,7 @@ void SceneBuilder::set_matrix(const Affine& matrix) {
 }
 
 Complaint SceneBuilder::push(const Place& place) {
-  if (pushed_.size() >= deepest_push) return fmt::format("more than {} `push` are open", deepest_push);
+  if (pushed_.size() >= limits_.pushes) return fmt::format("more than {} `push` are open", limits_.pushes);
   pushed_.emplace_back(matrix_, place);
   return {};
 }
@@ -147,7 +145,7 @@ Complaint SceneBuilder::end_polygon() {
 }
 
 Complaint SceneBuilder::open_group(std::string_view opener, const Place& place) {
-  if (tree_.open_groups() >= deepest_nesting) return fmt::format("groups nest more than {} deep", deepest_nesting);
+  if (tree_.open_groups() >= limits_.nesting) return fmt::format("groups nest more than {} deep", limits_.nesting);
   change();
   tree_.open_group(opener, place);
   return {};
@@ -175,8 +173,8 @@ Complaint SceneBuilder::add_instance(std::string_view name) {
   NamedObject& named = tree_.names.find(name)->second;
   named.used = true;
   if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
-  if (named.nesting >= deepest_nesting) {
-    return fmt::format("groups and instances nest more than {} deep", deepest_nesting);
+  if (named.nesting >= limits_.nesting) {
+    return fmt::format("groups and instances nest more than {} deep", limits_.nesting);
   }
   change();
   Object object;
@@ -197,7 +195,7 @@ Complaint SceneBuilder::move_last(Vec3 motion) {
 }
 
 Complaint SceneBuilder::add_picture(std::string file) {
-  if (waiting_.empty() && pictures_ > 0 && copied_ + size_of_copy() > largest_copies) {
+  if (waiting_.empty() && pictures_ > 0 && copied_ + size_of_copy() > limits_.copies) {
     return "too many pictures of too many objects in one file";
   }
   last_picture_ = actions_.size();

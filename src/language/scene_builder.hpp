@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "language/limits.hpp"
 #include "language/object_tree.hpp"
 #include "language/scene_file.hpp"
 #include "language/triangle_builder.hpp"
@@ -17,11 +18,9 @@ namespace penumbra {
 // What is wrong, as a sentence without a full stop; empty if nothing is.
 using Complaint = std::string;
 
-inline constexpr std::size_t deepest_push = 4096;
-
 class SceneBuilder {
  public:
-  SceneBuilder();
+  explicit SceneBuilder(const Limits& limits);
 
   const Scene& scene() const { return scene_; }
   // The scene, to be changed: pictures already taken keep what they saw.
@@ -30,6 +29,8 @@ class SceneBuilder {
   // The current matrix.
   const Affine& matrix() const { return matrix_; }
   void set_matrix(const Affine& matrix);
+  // Whether a shape can be placed under it.
+  Complaint check_matrix();
   Complaint push(const Place& place);
   Complaint pop();
   const std::vector<std::pair<Affine, Place>>& pushed() const { return pushed_; }
@@ -74,12 +75,12 @@ class SceneBuilder {
   std::vector<Action> take_actions();
 
  private:
-  Complaint check_matrix();
   std::uint32_t surface_index();
   std::uint32_t placement_index();
   std::size_t size_of_copy() const;
   void share_with_pictures(Scene scene);
 
+  Limits limits_;
   Scene scene_;  // its root is filled when a picture takes it
   ObjectTree tree_;
   TriangleBuilder triangles_;

@@ -42,9 +42,8 @@ void add_cylinder(Reading& reading, const Call& call, bool capped) {
 void begin(Reading& reading, const Call& call) {
   reading.stray_vertex = false;
   if (reading.builder.in_polygon()) {
-    reading.diagnostics.error(call.place(),
-                              fmt::format("`begin` while the polygon begun in line {} is still open",
-                                          reading.builder.polygon_place().line));
+    reading.diagnostics.error(call.place(), fmt::format("`begin` while the polygon begun in line {} is still open",
+                                                        reading.builder.polygon_place().line));
     reading.builder.triangles().abandon_polygon();
   }
   const Complaint wrong = reading.builder.begin_polygon(call.place());
@@ -72,7 +71,9 @@ void end(Reading& reading, const Call& call) {
     const bool in_group = reading.builder.tree().open_groups() > 0;
     const bool is_list = in_group && reading.builder.tree().innermost().opener == "begin_list";
     reading.diagnostics.error(call.place(), "`end` without a `begin` before it",
-                              !in_group ? "" : is_list ? "did you mean `end_list`?" : "did you mean `end_accel`?");
+                              !in_group ? ""
+                              : is_list ? "did you mean `end_list`?"
+                                        : "did you mean `end_accel`?");
   }
   reading.stray_vertex = false;
 }
@@ -96,6 +97,9 @@ void mesh(Reading& reading, const Call& call) {
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;
   SceneBuilder& builder = reading.builder;
+  if (const Complaint wrong = builder.check_matrix(); !wrong.empty()) {
+    return reading.diagnostics.error(call.place(), wrong);
+  }
   builder.change();
   TriangleStore& store = *builder.triangles().store();
   const std::uint32_t first = builder.triangles().triangle_count();

@@ -14,7 +14,19 @@ struct Material {
   Floats transmission, refraction_index, blur_radius;
   Mask blinn;
   // What any lane of the packet needs: whole steps are left out where none does.
-  bool any_specular = false, any_reflection = false, any_transmission = false, any_gloss = false, any_blur = false;
+  bool any_specular = false, any_phong = false;
+  bool any_reflection = false, any_transmission = false, any_gloss = false, any_blur = false;
+
+  PENUMBRA_INLINE Material()
+      : specular_power(0.0f),
+        reflection(0.0f),
+        gloss_radius(0.0f),
+        transmission(0.0f),
+        refraction_index(1.0f),
+        blur_radius(0.0f),
+        blinn(false) {
+    diffuse = ambient = specular = {Floats(0), Floats(0), Floats(0)};
+  }
 };
 
 PENUMBRA_INLINE bool is_black(const float (&c)[3]) { return c[0] == 0 && c[1] == 0 && c[2] == 0; }
@@ -27,6 +39,7 @@ PENUMBRA_INLINE void add_surface(const FrameSurface& s, Mask lanes, const Hits& 
     m.specular_power = select(lanes, Floats(s.specular_power), m.specular_power);
     m.any_specular = true;
     if (s.blinn) m.blinn |= lanes;
+    m.any_phong |= !s.blinn;
   }
   if (s.reflection != 0 || s.transmission != 0) {
     m.reflection = select(lanes, Floats(s.reflection), m.reflection);
@@ -48,9 +61,7 @@ PENUMBRA_INLINE void add_surface(const FrameSurface& s, Mask lanes, const Hits& 
 }
 
 inline Material material_at(const Frame& frame, const Hits& hits) {
-  const Floats zero = Floats(0);
-  const Float3 black{zero, zero, zero};
-  Material m{black, black, black, zero, zero, zero, zero, Floats(1), zero, Mask(false)};
+  Material m;
   alignas(64) std::uint32_t surface_of_lane[lane_count];
   store(surface_of_lane, hits.surface);
   Mask open = hits.found;

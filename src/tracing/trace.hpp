@@ -84,10 +84,16 @@ inline Floats visibility(const TraceContext& c, const Rays& to_light, Floats dis
 
 // max(0, N.H)^p or max(0, R.V)^p
 inline Floats highlight(const Material& material, Float3 normal, Float3 toward_light, Float3 direction) {
-  const Float3 half = toward_light - direction;
-  const Floats blinn = dot(normal, half) * (Floats(1) / sqrt(max(dot(half, half), Floats(1e-30f))));
-  const Floats phong = -dot(normal * (Floats(2) * dot(normal, toward_light)) - toward_light, direction);
-  const Floats cosine = max(select(material.blinn, blinn, phong), Floats(0));
+  Floats cosine = Floats(0);
+  if (material.any_phong) {
+    cosine = -dot(normal * (Floats(2) * dot(normal, toward_light)) - toward_light, direction);
+  }
+  if (any(material.blinn)) {
+    const Float3 half = toward_light - direction;
+    const Floats blinn = dot(normal, half) * (Floats(1) / sqrt(max(dot(half, half), Floats(1e-30f))));
+    cosine = select(material.blinn, blinn, cosine);
+  }
+  cosine = max(cosine, Floats(0));
   return pow(min(cosine, Floats(1)), material.specular_power);
 }
 
@@ -106,22 +112,21 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, light_numbers(c, light, number, place));
     const Floats cosine = max(dot(shading, sample.toward), zero);
-    Float3 reflected = material.diffuse * cosine;
-    Mask lit = hits.found & (cosine > zero);
-    if (material.any_specular) {
-      const Floats shine = highlight(material, shading, sample.toward, rays.direction);
-      reflected += material.specular * shine;
-      lit |= hits.found & (shine > zero);
-    }
+    Mask lit = hits.found;
+    if (!material.any_specular) lit &= cosine > zero;
+    // From behind, the surface itself is in the way.
+    if (options.shadows && !options.transparent_shadows) lit &= dot(facing, sample.toward) > zero;
     Floats visible = Floats(1);
-    if (options.shadows) {
-      // From behind, the surface itself is in the way.
-      const Mask before = dot(facing, sample.toward) > zero;
-      if (!options.transparent_shadows) lit &= before;
-      if (none(lit)) continue;
+    if (options.shadows && any(lit)) {
       shadow.direction = sample.toward;
       shadow.coherent = light.kind != LightKind::disk && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
+      lit &= visible > zero;
+    }
+    if (none(lit)) continue;
+    Float3 reflected = material.diffuse * cosine;
+    if (material.any_specular) {
+      reflected += material.specular * highlight(material, shading, sample.toward, rays.direction);
     }
     sum += keep(lit, reflected * sample.radiance * visible);
   }

@@ -33,33 +33,37 @@ Checked check(const CheckOptions& options) {
 }
 
 TEST(Check, saysWhatIsInAScene) {
-  const SceneFile file = read("image_size 640 480\nrays_per_pixel 64\nsampler random\nseed 5\nfov 45\neye 0 1 2\nlens .1 4\n"
-                              "shutter 0 .5\nbackground .2 .4 .8\n" + light +
-                              "disk_light 0 5 0 1 0 -1 0 1 1 1\nspotlight 0 5 0 0 -1 0 10 20 1 1 1\n" + light + ball +
-                              "surface 1 0 0\nbox 0 0 0 1 1 1\nmoving_object 1 0 0\ncylinder 1 0 0 0 1\n"
-                              "hollow_cylinder 1 0 0 0 1\nbegin_list\n" + triangle + triangle + ball + "end_list\n"
-                              "named_object g\ninstance g\ninstance g\npush\nwrite out.png\nrender\nrect 0 0 5 5\nrender\n");
-  EXPECT_EQ(describe(file),
-            "read: s.cli\n"
-            "picture 1: out.png\n"
-            "  size       640 x 480\n"
-            "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
-            "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
-            "  background 0.2 0.4 0.8\n"
-            "  lights     2 point lights, 1 disk light, 1 spotlight\n"
-            "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
-            "  surfaces   2\n"
-            "picture 2: named after the scene, the same scene\n"
-            "picture 3: named after the scene\n"
-            "  size       640 x 480\n"
-            "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
-            "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
-            "  background 0.2 0.4 0.8\n"
-            "  lights     2 point lights, 1 disk light, 1 spotlight\n"
-            "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
-            "  surfaces   2\n"
-            "  painted    1 rectangle\n"
-            "1 warning\n");
+  const SceneFile file = read(
+      "image_size 640 480\nrays_per_pixel 64\nsampler random\nseed 5\nfov 45\neye 0 1 2\nlens .1 4\n"
+      "shutter 0 .5\nbackground .2 .4 .8\n" +
+      light + "disk_light 0 5 0 1 0 -1 0 1 1 1\nspotlight 0 5 0 0 -1 0 10 20 1 1 1\n" + light + ball +
+      "surface 1 0 0\nbox 0 0 0 1 1 1\nmoving_object 1 0 0\ncylinder 1 0 0 0 1\n"
+      "hollow_cylinder 1 0 0 0 1\nbegin_list\n" +
+      triangle + triangle + ball +
+      "end_list\n"
+      "named_object g\ninstance g\ninstance g\npush\nwrite out.png\nrender\nrect 0 0 5 5\nrender\n");
+  EXPECT_EQ(
+      describe(file),
+      "read: s.cli\n"
+      "picture 1: out.png\n"
+      "  size       640 x 480\n"
+      "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
+      "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
+      "  background 0.2 0.4 0.8\n"
+      "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+      "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
+      "  surfaces   2\n"
+      "picture 2: named after the scene, the same scene\n"
+      "picture 3: named after the scene\n"
+      "  size       640 x 480\n"
+      "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
+      "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
+      "  background 0.2 0.4 0.8\n"
+      "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+      "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
+      "  surfaces   2\n"
+      "  painted    1 rectangle\n"
+      "1 warning\n");
 }
 
 TEST(Check, hasAnExitCodeForEachCase) {

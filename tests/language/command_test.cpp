@@ -28,14 +28,67 @@ TEST(CommandTable, findsEveryCommandAndNothingElse) {
 }
 
 TEST(CommandTable, holdsTheWholeLanguage) {
-  for (const char* name :
-       {"background", "fov", "eye", "uvw", "lens", "rays_per_pixel", "render", "write", "read", "reset_timer",
-        "print_timer", "color", "rect", "light", "point_light", "disk_light", "spotlight", "surface", "diffuse",
-        "reflective", "shiny", "glossy", "translucent", "noise", "wood", "marble", "stone", "begin", "vertex",
-        "texture_coord", "end", "sphere", "moving_sphere", "box", "cylinder", "hollow_cylinder", "mesh",
-        "moving_object", "begin_list", "end_list", "begin_accel", "end_accel", "named_object", "instance", "push",
-        "pop", "translate", "scale", "rotate", "rotatex", "rotatey", "rotatez", "camera_lens", "image_size", "sampler",
-        "seed", "max_depth", "shutter", "reflection_rays", "transmission_rays", "shadow_rays"}) {
+  for (const char* name : {"background",
+                           "fov",
+                           "eye",
+                           "uvw",
+                           "lens",
+                           "rays_per_pixel",
+                           "render",
+                           "write",
+                           "read",
+                           "reset_timer",
+                           "print_timer",
+                           "color",
+                           "rect",
+                           "light",
+                           "point_light",
+                           "disk_light",
+                           "spotlight",
+                           "surface",
+                           "diffuse",
+                           "reflective",
+                           "shiny",
+                           "glossy",
+                           "translucent",
+                           "noise",
+                           "wood",
+                           "marble",
+                           "stone",
+                           "begin",
+                           "vertex",
+                           "texture_coord",
+                           "end",
+                           "sphere",
+                           "moving_sphere",
+                           "box",
+                           "cylinder",
+                           "hollow_cylinder",
+                           "mesh",
+                           "moving_object",
+                           "begin_list",
+                           "end_list",
+                           "begin_accel",
+                           "end_accel",
+                           "named_object",
+                           "instance",
+                           "push",
+                           "pop",
+                           "translate",
+                           "scale",
+                           "rotate",
+                           "rotatex",
+                           "rotatey",
+                           "rotatez",
+                           "camera_lens",
+                           "image_size",
+                           "sampler",
+                           "seed",
+                           "max_depth",
+                           "shutter",
+                           "reflection_rays",
+                           "transmission_rays",
+                           "shadow_rays"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
   EXPECT_EQ(all_commands().size(), 61u);
@@ -52,8 +105,8 @@ TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
       for (int i = 0; i < count; i++) text += " 1";
       const SceneFile file = read(text);
       ASSERT_FALSE(file.diagnostics.empty()) << text;
-      EXPECT_EQ(file.diagnostics[0].message,
-                "`" + std::string(command.name) + "` takes " + what_it_takes(command) + "; found " + std::to_string(count));
+      EXPECT_EQ(file.diagnostics[0].message, "`" + std::string(command.name) + "` takes " + what_it_takes(command) +
+                                                 "; found " + std::to_string(count));
       EXPECT_EQ(file.diagnostics[0].column, change < 0 ? 1 : static_cast<int>(text.size())) << text;
     }
   }
@@ -97,10 +150,11 @@ TEST(CommandTable, isWhatTheReferencePageWasMadeFrom) {
 }
 
 TEST(Camera, takesAllItsCommands) {
-  const Scene scene = scene_of(light + ball +
-                               "background .1 .2 .3\nfov 45.5\neye 1 2 3\nuvw 1 0 0 0 0 1 0 -1 0\nlens .25 6\n"
-                               "shutter .25 .75\nrays_per_pixel 64\nimage_size 640 480\nsampler sobol\nseed 4294967295\n"
-                               "max_depth 3\nreflection_rays 1\ntransmission_rays 1\nshadow_rays 1\n");
+  const Scene scene =
+      scene_of(light + ball +
+               "background .1 .2 .3\nfov 45.5\neye 1 2 3\nuvw 1 0 0 0 0 1 0 -1 0\nlens .25 6\n"
+               "shutter .25 .75\nrays_per_pixel 64\nimage_size 640 480\nsampler sobol\nseed 4294967295\n"
+               "max_depth 3\nreflection_rays 1\ntransmission_rays 1\nshadow_rays 1\n");
   EXPECT_EQ(scene.background, (Vec3{.1, .2, .3}));
   EXPECT_EQ(scene.camera.fov_degrees, 45.5);
   EXPECT_EQ(scene.camera.eye, (Vec3{1, 2, 3}));
@@ -142,7 +196,8 @@ TEST(Camera, isNotMovedByTheMatrix) {
 }
 
 TEST(Lights, areOfThreeKinds) {
-  const Scene scene = scene_of(ball + "light 1 2 3 .4 .5 .6\npoint_light 7 8 9 .1 .2 .3\n"
+  const Scene scene = scene_of(ball +
+                               "light 1 2 3 .4 .5 .6\npoint_light 7 8 9 .1 .2 .3\n"
                                "disk_light 1 2 3 .9 0 -1 0 .8 .7 .6\nspotlight 1 2 3 0 -1 0 20 30 1 .5 .25\n");
   ASSERT_EQ(scene.lights.size(), 4u);
   EXPECT_EQ(std::get<PointLight>(scene.lights[0]).color, (Vec3{.4, .5, .6}));

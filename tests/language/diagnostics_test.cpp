@@ -6,7 +6,8 @@ namespace penumbra {
 namespace {
 
 TEST(Diagnostics, showThePlaceTheLineTheCaretAndTheHint) {
-  const Diagnostic d{Severity::error, "a.cli", 3, 2, 5, "unknown command `spere`", " spere 1", "did you mean `sphere`?"};
+  const Diagnostic d{Severity::error,         "a.cli", 3, 2, 5, "unknown command `spere`", " spere 1",
+                     "did you mean `sphere`?"};
   EXPECT_EQ(to_string(d),
             "a.cli:3:2: error: unknown command `spere`\n"
             "   spere 1\n"
@@ -20,11 +21,13 @@ TEST(Diagnostics, leaveOutWhatThereIsNot) {
 }
 
 TEST(Diagnostics, putTheCaretUnderTabsAndLettersOfSeveralBytes) {
-  EXPECT_EQ(to_string({Severity::error, "a", 1, 7, 2, "m", "\tü x\ty1", ""}), "a:1:7: error: m\n  \tü x\ty1\n  \t   \t^~\n");
+  EXPECT_EQ(to_string({Severity::error, "a", 1, 7, 2, "m", "\tü x\ty1", ""}),
+            "a:1:7: error: m\n  \tü x\ty1\n  \t   \t^~\n");
 }
 
 TEST(Diagnostics, doNotPassOnControlCharacters) {
-  EXPECT_EQ(to_string({Severity::error, "a", 1, 1, 9, "m", "\x1b[31mred", ""}), "a:1:1: error: m\n  ?[31mred\n  ^~~~~~~~\n");
+  EXPECT_EQ(to_string({Severity::error, "a", 1, 1, 9, "m", "\x1b[31mred", ""}),
+            "a:1:1: error: m\n  ?[31mred\n  ^~~~~~~~\n");
 }
 
 TEST(Diagnostics, leaveOutACaretBehindAShortenedLine) {

@@ -19,9 +19,11 @@ void expect_told(const std::vector<Case>& cases, const std::string& before = "")
 
 TEST(Errors, aboutUnknownCommands) {
   expect_told({
-      {"spere 1 0 0 -4", "s.cli:1:1: error: unknown command `spere`\n  spere 1 0 0 -4\n  ^~~~~\n  did you mean `sphere`?\n"},
+      {"spere 1 0 0 -4",
+       "s.cli:1:1: error: unknown command `spere`\n  spere 1 0 0 -4\n  ^~~~~\n  did you mean `sphere`?\n"},
       {"  Translate 1 0 0",
-       "s.cli:1:3: error: unknown command `Translate`\n    Translate 1 0 0\n    ^~~~~~~~~\n  did you mean `translate`?\n"},
+       "s.cli:1:3: error: unknown command `Translate`\n    Translate 1 0 0\n    ^~~~~~~~~\n  did you mean "
+       "`translate`?\n"},
       {"xyzzy", "s.cli:1:1: error: unknown command `xyzzy`\n  xyzzy\n  ^~~~~\n"},
       {"\x01\x02", "s.cli:1:1: error: unknown command `??`\n  ??\n  ^~\n"},
   });
@@ -29,16 +31,17 @@ TEST(Errors, aboutUnknownCommands) {
 
 TEST(Errors, aboutTheNumberOfArguments) {
   expect_told({
-      {"sphere 1 0 0",
-       "s.cli:1:1: error: `sphere` takes 4 numbers: radius x y z; found 3\n  sphere 1 0 0\n  ^~~~~~\n"},
+      {"sphere 1 0 0", "s.cli:1:1: error: `sphere` takes 4 numbers: radius x y z; found 3\n  sphere 1 0 0\n  ^~~~~~\n"},
       {"sphere 1 0 0 -4 5 6",
-       "s.cli:1:17: error: `sphere` takes 4 numbers: radius x y z; found 6\n  sphere 1 0 0 -4 5 6\n                  ^\n"},
+       "s.cli:1:17: error: `sphere` takes 4 numbers: radius x y z; found 6\n  sphere 1 0 0 -4 5 6\n                  "
+       "^\n"},
       {"fov", "s.cli:1:1: error: `fov` takes 1 number: degrees; found 0\n  fov\n  ^~~\n"},
       {"push 1", "s.cli:1:6: error: `push` takes nothing; found 1\n  push 1\n       ^\n"},
       {"write", "s.cli:1:1: error: `write` takes a file name; found 0\n  write\n  ^~~~~\n"},
       {"instance a b", "s.cli:1:12: error: `instance` takes a name; found 2\n  instance a b\n             ^\n"},
       {"surface 1 1 1 1",
-       "s.cli:1:1: error: `surface` takes 3 numbers: dr dg db, or 11 numbers: dr dg db ar ag ab sr sg sb spec_pow k_refl; "
+       "s.cli:1:1: error: `surface` takes 3 numbers: dr dg db, or 11 numbers: dr dg db ar ag ab sr sg sb spec_pow "
+       "k_refl; "
        "found 4\n  surface 1 1 1 1\n  ^~~~~~~\n"},
   });
 }
@@ -47,7 +50,8 @@ TEST(Errors, aboutTheKindOfArguments) {
   expect_told({
       {"eye 1 two 3", "s.cli:1:7: error: `y` of `eye` has to be a number; found `two`\n  eye 1 two 3\n        ^~~\n"},
       {"eye 1 nan 3", "s.cli:1:7: error: `y` of `eye` has to be a number; found `nan`\n  eye 1 nan 3\n        ^~~\n"},
-      {"eye 1 -inf 3", "s.cli:1:7: error: `y` of `eye` has to be a number; found `-inf`\n  eye 1 -inf 3\n        ^~~~\n"},
+      {"eye 1 -inf 3",
+       "s.cli:1:7: error: `y` of `eye` has to be a number; found `-inf`\n  eye 1 -inf 3\n        ^~~~\n"},
       {"eye 1 1e40 3", "s.cli:1:7: error: the number `1e40` is too large\n  eye 1 1e40 3\n        ^~~~\n"},
       {"eye a b 3",
        "s.cli:1:5: error: `x` of `eye` has to be a number; found `a`\n  eye a b 3\n      ^\n"
@@ -61,15 +65,19 @@ TEST(Errors, aboutTheKindOfArguments) {
 
 TEST(Errors, aboutTheRangeOfArguments) {
   expect_told({
-      {"sphere 0 0 0 0", "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `0`\n  sphere 0 0 0 0\n         ^\n"},
-      {"sphere -1 0 0 0", "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `-1`\n  sphere -1 0 0 0\n         ^~\n"},
+      {"sphere 0 0 0 0",
+       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `0`\n  sphere 0 0 0 0\n         ^\n"},
+      {"sphere -1 0 0 0",
+       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `-1`\n  sphere -1 0 0 0\n         ^~\n"},
       {"sphere 1e-60 0 0 0",
-       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `1e-60`\n  sphere 1e-60 0 0 0\n         ^~~~~\n"},
+       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `1e-60`\n  sphere 1e-60 0 0 0\n         "
+       "^~~~~\n"},
       {"moving_sphere -1 0 0 0 0 0 0",
        "s.cli:1:15: error: `radius` of `moving_sphere` has to be greater than 0; found `-1`\n"
        "  moving_sphere -1 0 0 0 0 0 0\n                ^~\n"},
       {"cylinder 0 0 0 0 1",
-       "s.cli:1:10: error: `radius` of `cylinder` has to be greater than 0; found `0`\n  cylinder 0 0 0 0 1\n           ^\n"},
+       "s.cli:1:10: error: `radius` of `cylinder` has to be greater than 0; found `0`\n  cylinder 0 0 0 0 1\n          "
+       " ^\n"},
       {"hollow_cylinder 0 0 0 0 1",
        "s.cli:1:17: error: `radius` of `hollow_cylinder` has to be greater than 0; found `0`\n"
        "  hollow_cylinder 0 0 0 0 1\n                  ^\n"},
@@ -77,9 +85,11 @@ TEST(Errors, aboutTheRangeOfArguments) {
        "s.cli:1:18: error: `radius` of `disk_light` has to be 0 or more; found `-1`\n"
        "  disk_light 0 0 0 -1 0 1 0 1 1 1\n                   ^~\n"},
       {"fov 180",
-       "s.cli:1:5: error: `degrees` of `fov` has to be greater than 0 and less than 180; found `180`\n  fov 180\n      ^~~\n"},
+       "s.cli:1:5: error: `degrees` of `fov` has to be greater than 0 and less than 180; found `180`\n  fov 180\n      "
+       "^~~\n"},
       {"fov 0",
-       "s.cli:1:5: error: `degrees` of `fov` has to be greater than 0 and less than 180; found `0`\n  fov 0\n      ^\n"},
+       "s.cli:1:5: error: `degrees` of `fov` has to be greater than 0 and less than 180; found `0`\n  fov 0\n      "
+       "^\n"},
       {"rays_per_pixel 0",
        "s.cli:1:16: error: `n` of `rays_per_pixel` has to be a whole number from 1 to 16777216; found `0`\n"
        "  rays_per_pixel 0\n                 ^\n"},
@@ -90,11 +100,14 @@ TEST(Errors, aboutTheRangeOfArguments) {
        "s.cli:1:16: error: `n` of `rays_per_pixel` has to be a whole number from 1 to 16777216; found `2.5`\n"
        "  rays_per_pixel 2.5\n                 ^~~\n"},
       {"lens -1 5", "s.cli:1:6: error: `radius` of `lens` has to be 0 or more; found `-1`\n  lens -1 5\n       ^~\n"},
-      {"lens .1 0", "s.cli:1:9: error: `dist` of `lens` has to be greater than 0; found `0`\n  lens .1 0\n          ^\n"},
+      {"lens .1 0",
+       "s.cli:1:9: error: `dist` of `lens` has to be greater than 0; found `0`\n  lens .1 0\n          ^\n"},
       {"max_depth 101",
-       "s.cli:1:11: error: `n` of `max_depth` has to be a whole number from 0 to 100; found `101`\n  max_depth 101\n            ^~~\n"},
+       "s.cli:1:11: error: `n` of `max_depth` has to be a whole number from 0 to 100; found `101`\n  max_depth 101\n   "
+       "         ^~~\n"},
       {"seed -1",
-       "s.cli:1:6: error: `n` of `seed` has to be a whole number from 0 to 4294967295; found `-1`\n  seed -1\n       ^~\n"},
+       "s.cli:1:6: error: `n` of `seed` has to be a whole number from 0 to 4294967295; found `-1`\n  seed -1\n       "
+       "^~\n"},
       {"rect 0 0 1.5 2",
        "s.cli:1:10: error: `x1` of `rect` has to be a whole number; found `1.5`\n  rect 0 0 1.5 2\n           ^~~\n"},
       {"spotlight 0 0 0 0 -1 0 20 190 1 1 1",
@@ -117,18 +130,23 @@ TEST(Errors, aboutTheCamera) {
       {"uvw 1 0 0 0 1 0 1 1 0",
        "s.cli:1:1: error: the three vectors of `uvw` lie in one plane\n  uvw 1 0 0 0 1 0 1 1 0\n  ^~~\n"},
       {"shutter 1 .5",
-       "s.cli:1:11: error: the shutter closes before it opens: `close` has to be `open` or more\n  shutter 1 .5\n            ^~\n"},
+       "s.cli:1:11: error: the shutter closes before it opens: `close` has to be `open` or more\n  shutter 1 .5\n      "
+       "      ^~\n"},
       {"sampler sobbol",
-       "s.cli:1:9: error: there is no sampler `sobbol`; there are `random` and `sobol`\n  sampler sobbol\n          ^~~~~~\n"
+       "s.cli:1:9: error: there is no sampler `sobbol`; there are `random` and `sobol`\n  sampler sobbol\n          "
+       "^~~~~~\n"
        "  did you mean `sobol`?\n"},
       {"sampler halton",
        "s.cli:1:9: error: the sampler `halton` is not there yet; there are `random` and `sobol`\n"
        "  sampler halton\n          ^~~~~~\n"},
-      {"camera_lens .05 2 3", "s.cli:1:1: error: `camera_lens` is not there yet\n  camera_lens .05 2 3\n  ^~~~~~~~~~~\n"},
+      {"camera_lens .05 2 3",
+       "s.cli:1:1: error: `camera_lens` is not there yet\n  camera_lens .05 2 3\n  ^~~~~~~~~~~\n"},
       {"reflection_rays 4",
-       "s.cli:1:17: error: `reflection_rays` other than 1 is not there yet\n  reflection_rays 4\n                  ^\n"},
+       "s.cli:1:17: error: `reflection_rays` other than 1 is not there yet\n  reflection_rays 4\n                  "
+       "^\n"},
       {"transmission_rays 4",
-       "s.cli:1:19: error: `transmission_rays` other than 1 is not there yet\n  transmission_rays 4\n                    ^\n"},
+       "s.cli:1:19: error: `transmission_rays` other than 1 is not there yet\n  transmission_rays 4\n                  "
+       "  ^\n"},
       {"shadow_rays 16",
        "s.cli:1:13: error: `shadow_rays` other than 1 is not there yet\n  shadow_rays 16\n              ^~\n"},
       {"spotlight 0 0 0 0 -1 0 30 20 1 1 1",
@@ -165,7 +183,8 @@ TEST(Errors, aboutPolygons) {
   for (const char* command : {"write f", "render", "box 0 0 0 1 1 1", "cylinder 1 0 0 0 1", "hollow_cylinder 1 0 0 0 1",
                               "moving_sphere 1 0 0 0 1 1 1", "mesh a.obj", "moving_object 1 1 1", "begin_list",
                               "begin_accel", "named_object n", "instance n", "end_list", "end_accel"}) {
-    EXPECT_NE(told("begin\n" + std::string(command) + "\n").find("may not stand between"), std::string::npos) << command;
+    EXPECT_NE(told("begin\n" + std::string(command) + "\n").find("may not stand between"), std::string::npos)
+        << command;
   }
 }
 
@@ -174,12 +193,14 @@ TEST(Errors, aboutGroupsAndNames) {
       {"end_list\n", "s.cli:1:1: error: `end_list` without a `begin_list` before it\n  end_list\n  ^~~~~~~~\n"},
       {"end_accel\n", "s.cli:1:1: error: `end_accel` without a `begin_accel` before it\n  end_accel\n  ^~~~~~~~~\n"},
       {"begin_list\n" + ball,
-       "s.cli:1:1: error: this group is left open: there is no `end_list` or `end_accel` for it\n  begin_list\n  ^~~~~~~~~~\n"},
+       "s.cli:1:1: error: this group is left open: there is no `end_list` or `end_accel` for it\n  begin_list\n  "
+       "^~~~~~~~~~\n"},
       {"begin_accel\n" + ball,
        "s.cli:1:1: error: this group is left open: there is no `end_accel` for it\n  begin_accel\n  ^~~~~~~~~~~\n"},
       {"moving_object 1 0 0\n",
        "s.cli:1:1: error: there is no object before it to move\n  moving_object 1 0 0\n  ^~~~~~~~~~~~~\n"},
-      {"named_object a\n", "s.cli:1:1: error: there is no object before it to name\n  named_object a\n  ^~~~~~~~~~~~\n"},
+      {"named_object a\n",
+       "s.cli:1:1: error: there is no object before it to name\n  named_object a\n  ^~~~~~~~~~~~\n"},
       {ball + "named_object a\nmoving_object 1 0 0\ninstance a\n",
        "s.cli:3:1: error: there is no object before it to move\n  moving_object 1 0 0\n  ^~~~~~~~~~~~~\n"},
       {ball + ball + "named_object a\nnamed_object b\ninstance a\n",
@@ -188,9 +209,11 @@ TEST(Errors, aboutGroupsAndNames) {
        "s.cli:2:1: warning: this group is empty\n  begin_list\n  ^~~~~~~~~~\n"
        "s.cli:3:1: error: there is no object before it to move\n  moving_object 1 0 0\n  ^~~~~~~~~~~~~\n"},
       {ball + "named_object ball\n" + ball + "named_object ball\ninstance ball\n",
-       "s.cli:4:14: error: the name `ball` is used twice; first at s.cli:2\n  named_object ball\n               ^~~~\n"},
+       "s.cli:4:14: error: the name `ball` is used twice; first at s.cli:2\n  named_object ball\n               "
+       "^~~~\n"},
       {ball + "named_object ball\ninstance bal\n",
-       "s.cli:3:10: error: there is no object with the name `bal`\n  instance bal\n           ^~~\n  did you mean `ball`?\n"},
+       "s.cli:3:10: error: there is no object with the name `bal`\n  instance bal\n           ^~~\n  did you mean "
+       "`ball`?\n"},
       {"instance x", "s.cli:1:10: error: there is no object with the name `x`\n  instance x\n           ^\n"},
   });
 }
@@ -198,10 +221,12 @@ TEST(Errors, aboutGroupsAndNames) {
 TEST(Errors, aboutTheMatrix) {
   expect_told({
       {"pop\n", "s.cli:1:1: error: `pop` without a `push` before it\n  pop\n  ^~~\n"},
-      {"scale 1 0 1\n", "s.cli:1:9: error: a `scale` by zero flattens everything after it\n  scale 1 0 1\n          ^\n"},
+      {"scale 1 0 1\n",
+       "s.cli:1:9: error: a `scale` by zero flattens everything after it\n  scale 1 0 1\n          ^\n"},
       {"scale 1 1 -0.0\n",
        "s.cli:1:11: error: a `scale` by zero flattens everything after it\n  scale 1 1 -0.0\n            ^~~~\n"},
-      {"rotate 30 0 0 0\n", "s.cli:1:11: error: the axis of `rotate` has no length\n  rotate 30 0 0 0\n            ^\n"},
+      {"rotate 30 0 0 0\n",
+       "s.cli:1:11: error: the axis of `rotate` has no length\n  rotate 30 0 0 0\n            ^\n"},
       {"scale 1e-20 1e-20 1e-20\nscale 1e-20 1e-20 1e-20\nsphere 1 0 0 0\n",
        "s.cli:3:1: error: the current matrix is singular: it flattens the shape, or shrinks it to nothing\n"
        "  sphere 1 0 0 0\n  ^~~~~~\n"},
@@ -224,7 +249,8 @@ TEST(Warnings, aboutWhatIsOdd) {
       {ball, "s.cli: warning: there is no light in this picture\n"},
       {light, "s.cli: warning: there is no object in this picture\n"},
       {ball + "write a.png\n", "s.cli:2:1: warning: there is no light in this picture\n  write a.png\n  ^~~~~\n"},
-      {light + ball + "push\n", "s.cli:3:1: warning: this `push` is left open: there is no `pop` for it\n  push\n  ^~~~\n"},
+      {light + ball + "push\n",
+       "s.cli:3:1: warning: this `push` is left open: there is no `pop` for it\n  push\n  ^~~~\n"},
       {light + ball + ball + "named_object a\n",
        "s.cli:4:14: warning: `a` is never used: there is no `instance` of it\n  named_object a\n               ^\n"},
       {light + ball + "render\n" + ball + ball,
@@ -234,7 +260,8 @@ TEST(Warnings, aboutWhatIsOdd) {
        "s.cli:4:1: warning: from here on nothing is in a picture: the last one is taken before this line\n"
        "  rect 0 0 5 5\n  ^~~~\n"},
       {light + ball + "render\n" + ball + "render\n", ""},
-      {light + ball + "begin_list\nend_list\n", "s.cli:3:1: warning: this group is empty\n  begin_list\n  ^~~~~~~~~~\n"},
+      {light + ball + "begin_list\nend_list\n",
+       "s.cli:3:1: warning: this group is empty\n  begin_list\n  ^~~~~~~~~~\n"},
       {light + "begin_accel\n" + ball + "end_list\n",
        "s.cli:4:1: warning: `end_list` ends the `begin_accel` in line 2\n  end_list\n  ^~~~~~~~\n"},
       {light + "cylinder 1 0 0 2 2\n",

@@ -7,8 +7,8 @@ namespace {
 const Group& group_of(const Object& object) { return *shape_of<std::shared_ptr<const Group>>(object); }
 
 TEST(Groups, holdWhatStandsBetween) {
-  const Scene scene = scene_of(light + ball + "begin_list\n" + ball + "begin_accel\n" + ball + triangle + "end_accel\n" + ball +
-                               "end_list\n" + ball);
+  const Scene scene = scene_of(light + ball + "begin_list\n" + ball + "begin_accel\n" + ball + triangle +
+                               "end_accel\n" + ball + "end_list\n" + ball);
   ASSERT_EQ(scene.root.objects.size(), 3u);
   const Group& outer = group_of(scene.root.objects[1]);
   ASSERT_EQ(outer.objects.size(), 3u);
@@ -44,14 +44,16 @@ TEST(MovingObject, addsUp) {
 
 TEST(MovingObject, movesAGroupAfterItsEnd) {
   for (const char* end : {"end_list", "end_accel"}) {
-    const Scene scene = scene_of(light + "begin_list\n" + ball + "moving_object 0 0 1\n" + end + "\nmoving_object 1 0 0\n");
+    const Scene scene =
+        scene_of(light + "begin_list\n" + ball + "moving_object 0 0 1\n" + end + "\nmoving_object 1 0 0\n");
     EXPECT_EQ(scene.root.objects[0].motion, (Vec3{1, 0, 0}));
     EXPECT_EQ(group_of(scene.root.objects[0]).objects[0].motion, (Vec3{0, 0, 1}));
   }
 }
 
 TEST(MovingObject, movesAnInstanceAndNotItsDefinition) {
-  const Scene scene = scene_of(light + ball + "moving_object 0 0 1\nnamed_object a\ninstance a\nmoving_object 1 0 0\ninstance a\n");
+  const Scene scene =
+      scene_of(light + ball + "moving_object 0 0 1\nnamed_object a\ninstance a\nmoving_object 1 0 0\ninstance a\n");
   EXPECT_EQ(scene.definitions[0].motion, (Vec3{0, 0, 1})) << "in the space of the definition";
   EXPECT_EQ(scene.root.objects[0].motion, (Vec3{1, 0, 0}));
   EXPECT_EQ(scene.root.objects[1].motion, (Vec3{}));
@@ -67,11 +69,13 @@ TEST(MovingObject, movesAMesh) {
 }
 
 TEST(MovingObject, findsTheLastObjectAcrossFiles) {
-  EXPECT_EQ(scene_of(light + "read b.cli\nmoving_object 1 0 0\n", {}, {{"b.cli", ball}}).root.objects[0].motion, (Vec3{1, 0, 0}));
+  EXPECT_EQ(scene_of(light + "read b.cli\nmoving_object 1 0 0\n", {}, {{"b.cli", ball}}).root.objects[0].motion,
+            (Vec3{1, 0, 0}));
 }
 
 TEST(Named, takeTheObjectOutOfTheScene) {
-  const Scene scene = scene_of(light + "surface 1 0 0\ntranslate 1 0 0\nsphere 2 0 0 0\nnamed_object a\nsurface 0 1 0\n"
+  const Scene scene = scene_of(light +
+                               "surface 1 0 0\ntranslate 1 0 0\nsphere 2 0 0 0\nnamed_object a\nsurface 0 1 0\n"
                                "translate 0 1 0\ninstance a\nscale 2 2 2\ninstance a\n");
   ASSERT_EQ(scene.definitions.size(), 1u);
   EXPECT_EQ(shape_of<Sphere>(scene.definitions[0]).radius, 2);
@@ -91,7 +95,8 @@ TEST(Named, takeAGroupWithItsSurfaces) {
 }
 
 TEST(Named, mayBeMadeOfInstances) {
-  const Scene scene = scene_of(light + ball + "named_object a\nbegin_list\ninstance a\ntranslate 1 0 0\ninstance a\nend_list\n"
+  const Scene scene = scene_of(light + ball +
+                               "named_object a\nbegin_list\ninstance a\ntranslate 1 0 0\ninstance a\nend_list\n"
                                "named_object b\ninstance b\n");
   ASSERT_EQ(scene.definitions.size(), 2u);
   EXPECT_EQ(shape_of<Instance>(group_of(scene.definitions[1]).objects[1]).definition, 0u);

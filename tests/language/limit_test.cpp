@@ -57,9 +57,10 @@ TEST(Limits, ofInstancesAndGroupsTogether) {
 TEST(Limits, forgetWhatWasNamedAway) {
   // The deep group is named, so the group around it is not deep any more.
   const std::string deep = repeated("begin_list\n", 60) + ball + repeated("end_list\n", 60) + "named_object deep\n";
-  EXPECT_EQ(told(light + "begin_list\n" + ball + deep + "end_list\nnamed_object flat\nbegin_list\ninstance flat\nend_list\n" +
-                 "named_object a\nbegin_list\ninstance a\nend_list\nnamed_object b\ninstance b\ninstance deep\n"),
-            "");
+  EXPECT_EQ(
+      told(light + "begin_list\n" + ball + deep + "end_list\nnamed_object flat\nbegin_list\ninstance flat\nend_list\n" +
+           "named_object a\nbegin_list\ninstance a\nend_list\nnamed_object b\ninstance b\ninstance deep\n"),
+      "");
 }
 
 TEST(Limits, ofOpenPushes) {
@@ -88,26 +89,24 @@ TEST(Limits, ofReadsThatDoubleAtEveryLevel) {
 }
 
 TEST(Limits, ofAllBytesTogether) {
-  // The loader claims nothing; the files are really read, but each is shared, so this costs no memory.
-  const auto large = std::string(std::size_t{64} << 20, ' ');
-  const SceneFile file = read_scene_with("s.cli", repeated("read b.cli\n", 64), {}, [&](const std::filesystem::path& path) {
-    LoadedFile loaded;
-    loaded.identity = path.string();
-    if (path == "b.cli") loaded.bytes = FileBytes(large);
-    return loaded;
-  });
+  Limits limits;
+  EXPECT_EQ(limits.bytes, 4294967296u);
+  limits.bytes = 100'000;
+  const Files files{{"s.cli", repeated("read b.cli\n", 10)}, {"b.cli", std::string(10'000, ' ')}};
+  const SceneFile file = read_scene_with("s.cli", std::nullopt, {}, in_memory(files), limits);
   ASSERT_EQ(file.diagnostics.size(), 1u);
-  EXPECT_EQ(file.diagnostics[0].message, "the files of the scene have more than 4294967296 bytes");
-  EXPECT_EQ(file.diagnostics[0].line, 64);
+  EXPECT_EQ(file.diagnostics[0].message, "the files of the scene have more than 100000 bytes");
+  EXPECT_EQ(file.diagnostics[0].line, 10);
 }
 
 TEST(Limits, ofPicturesOfManyObjects) {
-  std::string text = light;
-  text += repeated("sphere 1 0 0 0\n", 40'000);
-  text += repeated("render\neye 0 0 1\n", 1'000);
-  const SceneFile file = read(text);
+  Limits limits;
+  limits.copies = 10'000;
+  const Files files{{"s.cli", light + repeated(ball, 1'000) + repeated("render\neye 0 0 1\n", 100)}};
+  const SceneFile file = read_scene_with("s.cli", std::nullopt, {}, in_memory(files), limits);
   ASSERT_FALSE(file.diagnostics.empty());
   EXPECT_EQ(file.diagnostics[0].message, "too many pictures of too many objects in one file");
+  EXPECT_EQ(file.diagnostics[0].line, 1 + 1'000 + 1 + 2 * 9);
   EXPECT_EQ(pictures(read(light + ball + repeated("render\n", 1'000))).size(), 1'000u);
 }
 

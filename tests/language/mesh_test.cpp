@@ -39,7 +39,8 @@ std::string ply_head(const std::string& format, int vertices, int faces, const s
 template <class Position, class Count, class Index>
 std::string binary_square(bool big, const std::string& position, const std::string& list, bool as_quad) {
   std::string data = ply_head(big ? "binary_big_endian" : "binary_little_endian", 4, as_quad ? 1 : 2, position, list);
-  for (const double v : {0., 0., -4., 1., 0., -4., 1., 1., -4., 0., 1., -4.}) data += bytes_of(static_cast<Position>(v), big);
+  for (const double v : {0., 0., -4., 1., 0., -4., 1., 1., -4., 0., 1., -4.})
+    data += bytes_of(static_cast<Position>(v), big);
   const std::vector<std::vector<int>> faces =
       as_quad ? std::vector<std::vector<int>>{{0, 1, 2, 3}} : std::vector<std::vector<int>>{{0, 1, 2}, {0, 2, 3}};
   for (const auto& face : faces) {
@@ -66,10 +67,11 @@ TEST(Obj, isReadAsOneObject) {
 }
 
 TEST(Obj, isReadWithAllThatIsIgnored) {
-  const Scene scene = mesh_scene("t.OBJ",
-                                 "# a comment\r\nmtllib x.mtl\r\no thing\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\nv 0 1 0\r\n"
-                                 "vt 0 0\r\nvn 0 0 1\r\ng all\r\ns off\r\nusemtl red\r\nf 1/1/1 2/1/1 3/1/1\r\nl 1 2\r\n"
-                                 "f 1//1 2//1 3//1\r\nf -3 -2 -1 # backwards");
+  const Scene scene =
+      mesh_scene("t.OBJ",
+                 "# a comment\r\nmtllib x.mtl\r\no thing\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\nv 0 1 0\r\n"
+                 "vt 0 0\r\nvn 0 0 1\r\ng all\r\ns off\r\nusemtl red\r\nf 1/1/1 2/1/1 3/1/1\r\nl 1 2\r\n"
+                 "f 1//1 2//1 3//1\r\nf -3 -2 -1 # backwards");
   EXPECT_EQ(scene.triangles->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 1, 2}));
 }
 
@@ -79,8 +81,8 @@ TEST(Obj, splitsPolygonsAndGoesOnBehindABackslash) {
 }
 
 TEST(Obj, countsItsVerticesFromItsOwnFirst) {
-  const Scene scene = scene_of(light + triangle + "mesh t.obj\nmesh t.obj\n", {},
-                               {{"t.obj", "v 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\n"}});
+  const Scene scene =
+      scene_of(light + triangle + "mesh t.obj\nmesh t.obj\n", {}, {{"t.obj", "v 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\n"}});
   ASSERT_EQ(scene.root.objects.size(), 3u);
   EXPECT_EQ(corners(scene, 2)[1], (Vec3{6, 0, 0}));
 }
@@ -90,7 +92,8 @@ TEST(Obj, saysWhatIsWrong) {
   EXPECT_EQ(mesh_error("t.obj", "v 0 0\n"), "t.obj:1:1: error: `v` needs three numbers: x y z\n  v 0 0\n  ^\n");
   EXPECT_EQ(mesh_error("t.obj", "v 0 0 x\n"), "t.obj:1:7: error: `x` is not a number\n  v 0 0 x\n        ^\n");
   EXPECT_EQ(mesh_error("t.obj", "v 0 nan 0\n"), "t.obj:1:5: error: `nan` is not a number\n  v 0 nan 0\n      ^~~\n");
-  EXPECT_EQ(mesh_error("t.obj", "v 0 1e39 0\n"), "t.obj:1:5: error: the number `1e39` is too large\n  v 0 1e39 0\n      ^~~~\n");
+  EXPECT_EQ(mesh_error("t.obj", "v 0 1e39 0\n"),
+            "t.obj:1:5: error: the number `1e39` is too large\n  v 0 1e39 0\n      ^~~~\n");
   EXPECT_EQ(mesh_error("t.obj", three + "f 1 2\n"),
             "t.obj:4:1: error: a face needs at least three corners; found 2\n  f 1 2\n  ^\n");
   EXPECT_EQ(mesh_error("t.obj", three + "f 1 2 4\n"),
@@ -108,6 +111,8 @@ TEST(Obj, saysWhatIsWrong) {
             "t.obj:4:1: error: `face` is no statement of an OBJ file\n  face 1 2 3\n  ^~~~\n");
   EXPECT_EQ(mesh_error("t.obj", three), "t.obj: error: this mesh has no faces\n");
   EXPECT_EQ(mesh_error("t.obj", ""), "t.obj: error: this mesh has no faces\n");
+  EXPECT_EQ(told("scale 1e30 1 1\nscale 1e30 1 1\nmesh t.obj\n", {}, {{"t.obj", tetrahedron_obj}}),
+            "s.cli:3:1: error: the current matrix has become too large\n  mesh t.obj\n  ^~~~\n");
   EXPECT_EQ(told("scale 1e30 1 1\nmesh t.obj\n", {}, {{"t.obj", "v 1e30 0 0\n"}}),
             "t.obj:1:1: error: the current matrix moves this vertex too far away\n  v 1e30 0 0\n  ^\n");
 }
@@ -120,21 +125,29 @@ TEST(Mesh, hasToBeOfAKnownFormat) {
 TEST(Ply, isReadAsText) {
   expect_square(mesh_scene("s.ply", ply_head("ascii", 4, 2) + "0 0 -4\n1 0 -4\n1 1 -4\n0 1 -4\n3 0 1 2\n3 0 2 3\n"));
   expect_square(mesh_scene("s.ply", ply_head("ascii", 4, 1) + "0 0 -4 1 0 -4\n1 1 -4\n0 1 -4\n\n4 0 1 2 3"));
-  expect_square(mesh_scene("s.ply", "ply\r\nformat ascii 1.0\r\nelement vertex 4\r\nproperty float x\r\nproperty float y\r\n"
-                                    "property float z\r\nelement face 1\r\nproperty list uchar int vertex_index\r\n"
-                                    "end_header\r\n0 0 -4\r\n1 0 -4\r\n1 1 -4\r\n0 1 -4\r\n4 0 1 2 3\r\n"));
+  expect_square(mesh_scene("s.ply",
+                           "ply\r\nformat ascii 1.0\r\nelement vertex 4\r\nproperty float x\r\nproperty float y\r\n"
+                           "property float z\r\nelement face 1\r\nproperty list uchar int vertex_index\r\n"
+                           "end_header\r\n0 0 -4\r\n1 0 -4\r\n1 1 -4\r\n0 1 -4\r\n4 0 1 2 3\r\n"));
 }
 
 TEST(Ply, isReadInEveryBinaryLayout) {
   for (const bool big : {false, true}) {
     for (const bool quad : {false, true}) {
-      expect_square(mesh_scene("s.ply", binary_square<float, std::uint8_t, std::int32_t>(big, "float", "uchar int", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<float, std::uint8_t, std::uint32_t>(big, "float32", "uint8 uint32", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<double, std::uint8_t, std::int32_t>(big, "double", "uchar int", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<float, std::int32_t, std::int16_t>(big, "float", "int short", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<std::int8_t, std::int8_t, std::uint8_t>(big, "char", "char uchar", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<std::int16_t, std::uint16_t, std::uint16_t>(big, "short", "ushort ushort", quad)));
-      expect_square(mesh_scene("s.ply", binary_square<std::int32_t, std::uint32_t, std::int8_t>(big, "int", "uint char", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<float, std::uint8_t, std::int32_t>(big, "float", "uchar int", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<float, std::uint8_t, std::uint32_t>(big, "float32", "uint8 uint32", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<double, std::uint8_t, std::int32_t>(big, "double", "uchar int", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<float, std::int32_t, std::int16_t>(big, "float", "int short", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<std::int8_t, std::int8_t, std::uint8_t>(big, "char", "char uchar", quad)));
+      expect_square(mesh_scene(
+          "s.ply", binary_square<std::int16_t, std::uint16_t, std::uint16_t>(big, "short", "ushort ushort", quad)));
+      expect_square(
+          mesh_scene("s.ply", binary_square<std::int32_t, std::uint32_t, std::int8_t>(big, "int", "uint char", quad)));
     }
   }
 }
@@ -142,8 +155,10 @@ TEST(Ply, isReadInEveryBinaryLayout) {
 TEST(Ply, skipsWhatItDoesNotUse) {
   const std::string head =
       "ply\nformat {} 1.0\nobj_info x\nelement camera 1\nproperty float f\nproperty list uchar short extra\n"
-      "element vertex 3\nproperty uchar red\nproperty float z\nproperty float x\nproperty double quality\nproperty float y\n"
-      "element face 1\nproperty uchar flag\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+      "element vertex 3\nproperty uchar red\nproperty float z\nproperty float x\nproperty double quality\nproperty "
+      "float y\n"
+      "element face 1\nproperty uchar flag\nproperty list uchar int vertex_indices\nproperty list uchar float "
+      "texcoord\n"
       "element edge 1\nproperty int a\nend_header\n";
   const Scene text = mesh_scene("s.ply", fmt::format(fmt::runtime(head), "ascii") +
                                              "1.5 2 7 8\n255 3 1 nan 2\n0 6 4 0 5\n0 9 7 0 8\n1 3 0 1 2 2 .5 .5\n12\n");
@@ -177,8 +192,9 @@ TEST(Ply, readsFacesInBulkUntilOneIsNoTriangle) {
 }
 
 TEST(Ply, followsTheMatrix) {
-  const Scene scene = mesh_scene("s.ply", binary_square<float, std::uint8_t, std::int32_t>(false, "float", "uchar int", false),
-                                 triangle + "translate 0 0 4\nscale 3 3 3\n");
+  const Scene scene =
+      mesh_scene("s.ply", binary_square<float, std::uint8_t, std::int32_t>(false, "float", "uchar int", false),
+                 triangle + "translate 0 0 4\nscale 3 3 3\n");
   EXPECT_EQ(corners(scene, 1)[1], (Vec3{3, 0, -8}));
 }
 
@@ -205,15 +221,18 @@ TEST(Ply, saysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement a 1\nproperty list float int x\n"),
             "s.ply:3:15: error: the length of a list has to be of an integer type\n"
             "  property list float int x\n                ^~~~~\n");
-  EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nend_header\n"), "s.ply: error: this PLY file has no vertices\n");
+  EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nend_header\n"),
+            "s.ply: error: this PLY file has no vertices\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n"),
             "s.ply: error: this mesh has no faces\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nelement tristrips 1\nend_header\n"),
             "s.ply: error: triangle strips are not read; save the mesh with faces\n");
-  EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 0\nend_header\n1\n"),
-            "s.ply:7:1: error: the vertices of this PLY file have no x, y and z\n  1\n  ^\n");
-  EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
-                                "element face 1\nproperty int a\nend_header\n1\n"),
+  EXPECT_EQ(
+      mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 0\nend_header\n1\n"),
+      "s.ply:7:1: error: the vertices of this PLY file have no x, y and z\n  1\n  ^\n");
+  EXPECT_EQ(mesh_error("s.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element face 1\nproperty int a\nend_header\n1\n"),
             "s.ply:10:1: error: the faces of this PLY file have no list `vertex_indices`\n  1\n  ^\n");
 }
 
@@ -232,7 +251,8 @@ TEST(Ply, saysWhatIsWrongWithText) {
             "s.ply:14:7: error: face 0 names vertex 1.5; there are 3, counted from 0\n  3 0 1 1.5\n        ^~~\n");
   EXPECT_EQ(wrong(vertices + "2 0 1\n"),
             "s.ply:14:1: error: face 0 has 2 corners; it needs at least three\n  2 0 1\n  ^\n");
-  EXPECT_EQ(wrong(vertices + "3 0 1\n"), "s.ply:14:6: error: the file ends in element 1 of 1 of `face`\n  3 0 1\n       ^\n");
+  EXPECT_EQ(wrong(vertices + "3 0 1\n"),
+            "s.ply:14:6: error: the file ends in element 1 of 1 of `face`\n  3 0 1\n       ^\n");
   EXPECT_EQ(mesh_error("s.ply", ply_head("ascii", 3, 0) + vertices), "s.ply: error: this mesh has no faces\n");
 }
 
@@ -273,9 +293,11 @@ TEST(Ply, doesNotBelieveInHugeNumbers) {
   }
   std::string list = ply_head("binary_little_endian", 1, 1, "float", "uint int") + std::string(12, '\0');
   EXPECT_NE(mesh_error("s.ply", list + bytes_of(0xFFFFFFFFu, false)).find("the file ends"), std::string::npos);
-  EXPECT_NE(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-                                "property float z\nelement nothing 18446744073709551615\nelement face 1\n"
-                                "property list uchar int vertex_indices\nend_header\n").find("error"),
+  EXPECT_NE(mesh_error("s.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                       "property float z\nelement nothing 18446744073709551615\nelement face 1\n"
+                       "property list uchar int vertex_indices\nend_header\n")
+                .find("error"),
             std::string::npos);
 }
 

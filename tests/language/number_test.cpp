@@ -38,8 +38,9 @@ TEST(Number, readsEveryWayToWriteOne) {
 }
 
 TEST(Number, refusesWhatIsNone) {
-  for (const char* word : {"", "-", "+", ".", "-.", "e5", "1e", "1e+", "1e-", "nan", "NaN", "inf", "-inf", "infinity",
-                           "0x10", "1.2.3", "1,5", "12abc", "--1", "+-1", "1e5.5", "1_000", "1f", "0b1", "½"}) {
+  for (const char* word :
+       {"",         "-",    "+",     ".",   "-.",    "e5",  "1e",  "1e+",   "1e-",   "nan", "NaN", "inf", "-inf",
+        "infinity", "0x10", "1.2.3", "1,5", "12abc", "--1", "+-1", "1e5.5", "1_000", "1f",  "0b1", "½"}) {
     EXPECT_EQ(error_of(word), NumberError::not_a_number) << word;
   }
 }

@@ -5,7 +5,8 @@ namespace penumbra {
 namespace {
 
 TEST(Pictures, areTakenAtTheirLine) {
-  const SceneFile file = read(light + "fov 30\n" + ball + "write a.png\nfov 40\n" + ball + "moving_object 1 0 0\nrender\n");
+  const SceneFile file =
+      read(light + "fov 30\n" + ball + "write a.png\nfov 40\n" + ball + "moving_object 1 0 0\nrender\n");
   const std::vector<Picture> list = pictures(file);
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].file, "a.png");
@@ -51,8 +52,10 @@ TEST(Pictures, keepWhatTheySaw) {
 }
 
 TEST(Pictures, shareTheSceneWhereNothingChanged) {
-  const SceneFile file = read(light + ball + "write a.png\nreset_timer\npush\ntranslate 1 0 0\nsurface 1 0 0\npop\n"
-                              "rect 0 0 5 5\nwrite b.png\n" + triangle + "write c.png\n");
+  const SceneFile file = read(light + ball +
+                              "write a.png\nreset_timer\npush\ntranslate 1 0 0\nsurface 1 0 0\npop\n"
+                              "rect 0 0 5 5\nwrite b.png\n" +
+                              triangle + "write c.png\n");
   const std::vector<Picture> list = pictures(file);
   ASSERT_EQ(list.size(), 3u);
   EXPECT_EQ(list[0].scene, list[1].scene);

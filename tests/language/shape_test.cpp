@@ -6,8 +6,10 @@ namespace {
 const std::string quad = "begin\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nend\n";
 
 TEST(Shapes, areReadInEveryForm) {
-  const Scene scene = scene_of(light + "sphere 2 1 2 3\nmoving_sphere .5 1 2 3 4 6 8\nbox 1 5 -4 0 2 -6\n"
-                               "cylinder 1 2 3 4 5\nhollow_cylinder 1 2 3 5 4\n" + triangle);
+  const Scene scene = scene_of(light +
+                               "sphere 2 1 2 3\nmoving_sphere .5 1 2 3 4 6 8\nbox 1 5 -4 0 2 -6\n"
+                               "cylinder 1 2 3 4 5\nhollow_cylinder 1 2 3 5 4\n" +
+                               triangle);
   ASSERT_EQ(scene.root.objects.size(), 6u);
   const auto& objects = scene.root.objects;
   EXPECT_EQ(shape_of<Sphere>(objects[0]).center, (Vec3{1, 2, 3}));
@@ -32,7 +34,8 @@ TEST(Shapes, areReadInEveryForm) {
 }
 
 TEST(Shapes, takeTheMatrixOfTheirLine) {
-  const Scene scene = scene_of(light + "push\ntranslate 1 2 3\nscale 2 1 1\nsphere 1 0 0 0\nbox 0 0 0 1 1 1\npop\n" + ball);
+  const Scene scene =
+      scene_of(light + "push\ntranslate 1 2 3\nscale 2 1 1\nsphere 1 0 0 0\nbox 0 0 0 1 1 1\npop\n" + ball);
   const auto& objects = scene.root.objects;
   ASSERT_EQ(scene.placements.size(), 2u) << "equal matrices in a row are kept once";
   EXPECT_EQ(objects[0].placement, 1u);
@@ -58,7 +61,8 @@ TEST(Shapes, followEveryMatrixCommand) {
 }
 
 TEST(Shapes, carryTheMotionOfAMovingSphereThroughTheMatrix) {
-  const Scene scene = scene_of(light + "translate 5 5 5\nscale 2 1 1\nmoving_sphere 1 0 0 0 1 1 1\nmoving_object 0 0 7\n");
+  const Scene scene =
+      scene_of(light + "translate 5 5 5\nscale 2 1 1\nmoving_sphere 1 0 0 0 1 1 1\nmoving_object 0 0 7\n");
   EXPECT_EQ(scene.root.objects[0].motion, (Vec3{2, 1, 8}));
 }
 
@@ -72,7 +76,8 @@ TEST(Triangles, areStoredWhereTheMatrixPutsThem) {
 }
 
 TEST(Triangles, takeTheMatrixOfEachVertex) {
-  const Scene scene = scene_of(light + "begin\nvertex 0 0 0\nvertex 1 0 0\npush\ntranslate 0 0 9\nvertex 0 1 0\npop\nend\n");
+  const Scene scene =
+      scene_of(light + "begin\nvertex 0 0 0\nvertex 1 0 0\npush\ntranslate 0 0 9\nvertex 0 1 0\npop\nend\n");
   EXPECT_EQ(corners(scene, 0)[2], (Vec3{0, 1, 9}));
 }
 
@@ -104,8 +109,8 @@ TEST(Triangles, ofAnotherSurfaceAreAnotherObject) {
 }
 
 TEST(Triangles, moveOneByOne) {
-  const Scene scene = scene_of(light + triangle + triangle + quad + "moving_object 1 2 3\nmoving_object 1 0 0\n" + triangle +
-                               triangle);
+  const Scene scene =
+      scene_of(light + triangle + triangle + quad + "moving_object 1 2 3\nmoving_object 1 0 0\n" + triangle + triangle);
   ASSERT_EQ(scene.root.objects.size(), 3u);
   const auto& objects = scene.root.objects;
   EXPECT_EQ(shape_of<TriangleRange>(objects[0]).count, 2u);
@@ -127,9 +132,10 @@ TEST(Triangles, areNamedOneByOne) {
 }
 
 TEST(Triangles, ignoreTextureCoordinates) {
-  EXPECT_EQ(scene_of(light + "begin\ntexture_coord 0 0\nvertex 0 0 0\ntexture_coord 0 1\nvertex 0 1 0\nvertex 1 0 0\nend\n")
-                .triangles->triangle_count(),
-            1u);
+  EXPECT_EQ(
+      scene_of(light + "begin\ntexture_coord 0 0\nvertex 0 0 0\ntexture_coord 0 1\nvertex 0 1 0\nvertex 1 0 0\nend\n")
+          .triangles->triangle_count(),
+      1u);
 }
 
 TEST(Course, movesOnlyTheCentreOfASphere) {

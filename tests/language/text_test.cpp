@@ -7,7 +7,9 @@ namespace penumbra {
 namespace {
 
 TEST(Text, cutsLinesAndWords) {
-  LineCursor cursor("\xEF\xBB\xBF" "fov 60 # wide\r\n\n\t eye\t1  2 3#x\nlast");
+  LineCursor cursor(
+      "\xEF\xBB\xBF"
+      "fov 60 # wide\r\n\n\t eye\t1  2 3#x\nlast");
   Line line;
   ASSERT_TRUE(cursor.next(line));
   EXPECT_EQ(line.number, 1);
@@ -35,7 +37,8 @@ TEST(Text, countsWordsBeyondThoseItKeeps) {
 }
 
 TEST(Text, readsEveryKindOfLineEndAlike) {
-  const std::string unix_text = light + "push\n translate 1 2 3\n sphere .5 0 0 -4 # ball\npop\n" + triangle + "write a.png\n";
+  const std::string unix_text =
+      light + "push\n translate 1 2 3\n sphere .5 0 0 -4 # ball\npop\n" + triangle + "write a.png\n";
   std::string windows_text = "\xEF\xBB\xBF";
   for (const char c : unix_text) windows_text += c == '\n' ? std::string("\r\n") : c == ' ' ? "\t" : std::string(1, c);
   windows_text.resize(windows_text.size() - 2);
@@ -48,7 +51,8 @@ TEST(Text, readsEveryKindOfLineEndAlike) {
 }
 
 TEST(Text, startsACommentAnywhere) {
-  const Scene scene = scene_of("# all\n" + light + "sphere 1 0 0 -4#near\n begin#\nvertex 0 0 0# a\nvertex 1 0 0 #\n"
+  const Scene scene = scene_of("# all\n" + light +
+                               "sphere 1 0 0 -4#near\n begin#\nvertex 0 0 0# a\nvertex 1 0 0 #\n"
                                "vertex 0 1 0#\nend#\n");
   EXPECT_EQ(scene.root.objects.size(), 2u);
 }
@@ -60,7 +64,10 @@ TEST(Text, readsAnEmptyFile) {
 }
 
 TEST(Text, saysThatAFileIsUtf16) {
-  EXPECT_EQ(told(std::string("\xFF\xFE" "f\0o\0", 6)), "s.cli:1:1: error: this is UTF-16 text; save it as UTF-8\n");
+  EXPECT_EQ(told(std::string("\xFF\xFE"
+                             "f\0o\0",
+                             6)),
+            "s.cli:1:1: error: this is UTF-16 text; save it as UTF-8\n");
 }
 
 TEST(NearWord, countsInsertionsRemovalsReplacementsAndSwaps) {

@@ -1,0 +1,61 @@
+# The short way to everything. The work is done by CMake's presets; this file only calls them.
+#
+#   make demo       install what is missing, build, render scenes/demo.cli
+#   make test       install what is missing, build, run all tests
+#   make build      install what is missing, build the release
+#   make test-long  what takes longer: all tests, and ten minutes of fuzzing
+#   make bench      compare speeds, as ratios of runs taken in turn
+#   make lint       formatting and static analysis
+#   make format     format the code
+#   make docs       make again the pages that are generated
+#   make clean      remove everything that was built
+
+JOBS := $(shell nproc)
+CMAKE_FLAGS ?=
+PRESET ?= release
+BUILD := build/$(PRESET)
+FUZZ_SECONDS ?= 300
+
+.PHONY: demo test build test-long bench lint format docs fuzz clean
+
+build:
+	@scripts/install-dependencies.sh build
+	@cmake --preset $(PRESET) -DPENUMBRA_TESTS=OFF $(CMAKE_FLAGS) > /dev/null
+	@cmake --build --preset $(PRESET) -j $(JOBS)
+
+demo: build
+	@$(BUILD)/penumbra render scenes/demo.cli -o build/demo.png
+	@echo "The picture is build/demo.png. All options: $(BUILD)/penumbra render --help"
+
+test:
+	@scripts/install-dependencies.sh test
+	@cmake --preset $(PRESET) -DPENUMBRA_TESTS=ON $(CMAKE_FLAGS) > /dev/null
+	@cmake --build --preset $(PRESET) -j $(JOBS)
+	@ctest --preset $(PRESET) -j $(JOBS)
+
+test-long: test fuzz
+
+bench: build
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
+	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+
+lint:
+	@scripts/install-dependencies.sh lint
+	@scripts/lint.sh
+
+format:
+	@scripts/install-dependencies.sh lint
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+docs: build
+	@cmake --build --preset $(PRESET) --target language_page
+	@scripts/make-pictures.sh $(BUILD)/penumbra
+
+fuzz:
+	@scripts/install-dependencies.sh lint
+	@cmake --preset fuzz $(CMAKE_FLAGS) > /dev/null
+	@cmake --build --preset fuzz -j $(JOBS) --target fuzzers
+	@scripts/fuzz.sh build/fuzz/fuzz $(FUZZ_SECONDS)
+
+clean:
+	@rm -rf build

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
+and AVX-512 are at hand), rays per second of the project's own scenes, and the speed of reading. What is compared is run
+in turn in the same session; a table shows medians and the median of the ratios of each turn."""
+
+import argparse
+import json
+import os
+import re
+import statistics
+import subprocess
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PROTOTYPE_SCENES = ["a", "b", "aG", "bG"]
+
+
+def pinned(command):
+    return ["taskset", "-c", "0"] + command
+
+
+def render(penumbra, scene, *options):
+    """Renders on one thread and returns the statistics of the run."""
+    with tempfile.TemporaryDirectory() as folder:
+        stats = os.path.join(folder, "stats.json")
+        command = [penumbra, "render", scene, "-o", os.path.join(folder, "out.png"), "--quiet", "--threads", "1",
+                   "--stats", stats, *options]
+        subprocess.run(pinned(command), check=True, stdout=subprocess.DEVNULL)
+        with open(stats) as file:
+            return json.load(file)
+
+
+def build_prototype(peers, folder):
+    program = os.path.join(folder, "mini_render")
+    subprocess.run(["g++", "-O3", "-march=native", "-mprefer-vector-width=512", "-std=c++20",
+                    os.path.join(peers, "mini_render.cpp"), "-o", program, "-lembree3"], check=True)
+    return program
+
+
+def prototype_seconds(program):
+    """Scene name to render seconds of the prototype's faster own kernel."""
+    text = subprocess.run(pinned([program, "1"]), check=True, capture_output=True, text=True).stdout
+    seconds = {}
+    scene = None
+    for line in text.splitlines():
+        if line.startswith("## scene"):
+            scene = line.split()[2]
+        match = re.search(r", own(?: BVH2/brute)? +(\d+\.\d+)", line)
+        if match and line.startswith("16-wide packet"):
+            value = float(match.group(1))
+            seconds[scene] = min(value, seconds.get(scene, value))
+    return seconds
+
+
+def has_avx512():
+    with open("/proc/cpuinfo") as file:
+        return "avx512f" in file.read()
+
+
+def compare_with_prototype(penumbra, peers, turns):
+    if not os.path.exists(os.path.join(peers, "mini_render.cpp")):
+        print(f"prototype: skipped, no folder {peers} (set PENUMBRA_PEERS_DIR)\n")
+        return
+    if not has_avx512():
+        print("prototype: skipped, this machine has no AVX-512\n")
+        return
+    ours = {s: [] for s in PROTOTYPE_SCENES}
+    theirs = {s: [] for s in PROTOTYPE_SCENES}
+    with tempfile.TemporaryDirectory() as folder:
+        prototype = build_prototype(peers, folder)
+        for _ in range(turns):
+            for scene, seconds in prototype_seconds(prototype).items():
+                theirs[scene].append(seconds)
+            for scene in PROTOTYPE_SCENES:
+                path = os.path.join(peers, f"proto-{scene}.cli")
+                ours[scene].append(min(render(penumbra, path)["render_seconds"] for _ in range(2)))
+    print(f"Whole renders against the hand-specialised prototype, 300x300, 100 rays, 1 thread, {turns} turns:\n")
+    print("| scene | prototype s | penumbra s | ratio |\n| --- | --: | --: | --: |")
+    for scene in PROTOTYPE_SCENES:
+        ratio = statistics.median(a / b for a, b in zip(ours[scene], theirs[scene]))
+        print(f"| {scene} | {statistics.median(theirs[scene]):.4f} | {statistics.median(ours[scene]):.4f} | {ratio:.2f} |")
+    print()
+
+
+def rays_per_second(penumbra, turns):
+    scenes = ["demo"] + [f"s0{n}b" for n in range(1, 10)]
+    print("The project's own scenes, 1 thread, 16 rays per pixel:\n")
+    print("| scene | Mrays | render s | Mrays/s | parse + build + write ms | peak MB |")
+    print("| --- | --: | --: | --: | --: | --: |")
+    for scene in scenes:
+        path = os.path.join(ROOT, "scenes", scene + ".cli")
+        runs = [render(penumbra, path, "--rays", "16") for _ in range(turns)]
+        seconds = statistics.median(r["render_seconds"] for r in runs)
+        rays = sum(runs[0]["rays"].values())
+        other = statistics.median(r["parse_seconds"] + r["build_seconds"] + r["write_seconds"] for r in runs)
+        print(f"| {scene} | {rays * 1e-6:.1f} | {seconds:.3f} | {rays / seconds * 1e-6:.1f} | {other * 1e3:.1f} "
+              f"| {runs[0]['peak_memory_bytes'] >> 20} |")
+    print()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--penumbra", default=os.path.join(ROOT, "build/release/penumbra"))
+    parser.add_argument("--parse-bench")
+    parser.add_argument("--turns", type=int, default=5)
+    arguments = parser.parse_args()
+    peers = os.environ.get("PENUMBRA_PEERS_DIR", os.path.join(ROOT, "../shared/peers"))
+    compare_with_prototype(arguments.penumbra, peers, arguments.turns)
+    rays_per_second(arguments.penumbra, min(arguments.turns, 3))
+    if arguments.parse_bench:
+        print("Reading:\n", flush=True)
+        subprocess.run(pinned([arguments.parse_bench]), check=True)
+
+
+if __name__ == "__main__":
+    main()

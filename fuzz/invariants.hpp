@@ -1,0 +1,57 @@
+// What holds for every scene that is read without an error. A fuzzer stops where it does not.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <variant>
+
+#include "scene/scene.hpp"
+
+namespace penumbra {
+
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+inline void require_sound(const TriangleStore& store) {
+  require(store.vertices.size() % 3 == 0 && store.indices.size() % 3 == 0);
+  for (const float value : store.vertices) require(std::isfinite(value));
+  for (const std::uint32_t index : store.indices) require(index < store.vertices.size() / 3);
+}
+
+// `definitions` is how many may be named: inside definition k only those before it, so that nothing contains itself.
+inline void require_sound(const Scene& scene, const Object& object, std::size_t definitions) {
+  require(object.placement < scene.placements.size());
+  require(is_finite(object.motion));
+  if (const auto* range = std::get_if<TriangleRange>(&object.shape)) {
+    require(range->count > 0);
+    require(std::size_t{range->first} + range->count <= scene.triangles->triangle_count());
+  } else if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+    require(instance->definition < definitions);
+    return;
+  } else if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
+    require(*group != nullptr);
+    for (const Object& inner : (*group)->objects) require_sound(scene, inner, definitions);
+    return;
+  } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+    require(sphere->radius > 0 && is_finite(sphere->center));
+  } else if (const auto* box = std::get_if<Box>(&object.shape)) {
+    require(box->lo.x <= box->hi.x && box->lo.y <= box->hi.y && box->lo.z <= box->hi.z);
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&object.shape)) {
+    require(cylinder->radius > 0 && cylinder->y_min <= cylinder->y_max);
+  }
+  require(object.surface < scene.surfaces.size());
+}
+
+inline void require_sound(const Scene& scene) {
+  require(scene.triangles != nullptr);
+  require_sound(*scene.triangles);
+  require(scene.width > 0 && scene.height > 0 && scene.rays_per_pixel > 0 && scene.max_depth >= 0);
+  require(scene.camera.fov_degrees > 0 && scene.camera.fov_degrees < 180);
+  require(scene.camera.shutter_open <= scene.camera.shutter_close && scene.camera.focus_distance > 0);
+  for (const Affine& placement : scene.placements) require(is_finite(inverse(placement).translation));
+  for (std::size_t k = 0; k < scene.definitions.size(); k++) require_sound(scene, scene.definitions[k], k);
+  for (const Object& object : scene.root.objects) require_sound(scene, object, scene.definitions.size());
+}
+
+}  // namespace penumbra

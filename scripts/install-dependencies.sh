@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that a goal needs (build, test or lint), and only those that are missing: with
+# everything there, no package manager is called and no network is needed. Only apt runs with root's rights.
+set -euo pipefail
+
+build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev libcli11-dev
+                libfmt-dev nlohmann-json3-dev)
+test_packages=(libgtest-dev openimageio-tools)
+lint_packages=(clang clang-format clang-tidy clang-tools libclang-rt-dev)
+
+case "${1:-}" in
+  build) wanted=("${build_packages[@]}") ;;
+  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
+  *)
+    echo "usage: $0 build|test|lint" >&2
+    exit 64
+    ;;
+esac
+
+missing=()
+for package in "${wanted[@]}"; do
+  if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+    missing+=("$package")
+  fi
+done
+[ "${#missing[@]}" -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "These packages are missing: ${missing[*]}" >&2
+    echo "Install them as root: apt-get install ${missing[*]}" >&2
+    exit 69
+  fi
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "image/image_file.hpp"
@@ -85,7 +86,9 @@ void check_outputs(const RenderOptions& options) {
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   CLI::App* render = app.add_subcommand("render", "Render the pictures of a scene");
   render->add_option("SCENE", options.scene, "The scene file (.cli)")->required();
-  render->add_option("-o,--output", options.outputs, "A file for the picture, .png or .exr; may be repeated");
+  render->add_option("-o,--output", options.outputs, "A file for the picture, .png or .exr; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
   render->add_option("--rays", options.rays, "Rays per pixel [the scene's, else 1]")->check(CLI::Range(1, 1 << 24));
   render
       ->add_option_function<std::string>(
@@ -116,7 +119,14 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   render->add_flag("--no-shadows", options.no_shadows, "Every light reaches every surface [off]");
   render->add_flag("--transparent-shadows", options.transparent_shadows,
                    "Shadow rays pass translucent surfaces, times k_trans for each [off]");
-  render->add_option("--time", options.time, "Freeze the shutter at this time [the scene's shutter]");
+  render->add_option("--time", options.time, "Freeze the shutter at this time [the scene's shutter]")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double time = 0;
+            const bool good = CLI::detail::lexical_cast(text, time) && std::abs(time) <= 1e6;
+            return good ? std::string() : fmt::format("expected a time from -1e6 to 1e6; found `{}`", text);
+          },
+          ""));
   render->add_option("--threads", options.threads, "Threads [all processors this process may use]")
       ->check(CLI::Range(1, 4096));
   render->add_flag("--course", options.course, "The course's own picture, to the pixel [off]");
@@ -128,6 +138,7 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
           "--aov", [&options](const std::vector<std::string>& names) { set_layers(options, names); },
           "More layers for an EXR: depth,normal,albedo,variance,samples [none]")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("LAYERS");
   const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::automatic},
                                                        {"bar", ProgressStyle::bar},

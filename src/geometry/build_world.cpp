@@ -79,7 +79,7 @@ void set_normal(float (&data)[12]) {
   const float n[3] = {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
   const float inverse = 1.0f / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   for (int i = 0; i < 3; i++) data[9 + i] = n[i] * inverse;
-  if (std::isfinite(inverse)) return;
+  if (std::isnormal(inverse)) return;
   const Vec3 a{data[0], data[1], data[2]};
   set3(data + 9, normalize(cross(Vec3{data[3], data[4], data[5]} - a, Vec3{data[6], data[7], data[8]} - a)));
 }

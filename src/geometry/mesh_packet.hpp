@@ -98,7 +98,13 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   const Floats cosine = dot(normal, rays.direction);
   const Floats plane = dot(normal, triangles.a - rays.origin) / cosine;
   const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));
-  const Floats distance = select(grazing | ~(plane > Floats(0)), load(query.ray.tfar), plane);
+  Floats distance = select(grazing | ~(plane > Floats(0)), load(query.ray.tfar), plane);
+  if (any(found & grazing)) {
+    const Crossing own =
+        cross_triangle(triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin, normal,
+                       rays.direction, rays.nearest, RayShear(rays.direction, found));
+    distance = select(grazing & own.hit, own.distance, distance);
+  }
   const Mask nearer =
       found & ((distance < hits.distance) | ((distance == hits.distance) & (triangles.order < hits.order)));
   Float3 point = rays.origin + rays.direction * distance;

@@ -291,6 +291,7 @@ class WorldBuilder {
   }
   void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
     set3(leaf.motion, motion);
+    leaf.moves = motion != Vec3{};
     const Bounds over_shutter =
         include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));
     const double largest = std::max({magnitude(bounds), magnitude(over_shutter), reach});

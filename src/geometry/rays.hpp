@@ -49,7 +49,7 @@ PENUMBRA_INLINE Float3 multiply_transposed(const float* rows, Float3 v) {
 // The rays as the leaf sees them: its motion undone at each ray's time, then its placement.
 PENUMBRA_INLINE Float3 local_origin(const World& world, const Leaf& leaf, const Rays& rays) {
   Float3 origin = rays.origin;
-  if (leaf.moves()) origin = origin - broadcast3(leaf.motion) * rays.time;
+  if (leaf.moves) origin = origin - broadcast3(leaf.motion) * rays.time;
   if (leaf.placement == no_placement) return origin;
   const Placement& placement = world.placements[leaf.placement];
   return multiply(placement.inverse, origin - broadcast3(placement.translation));

@@ -57,100 +57,118 @@ PENUMBRA_INLINE Interval cross_slabs(const float* box, Float3 origin, Float3 inv
   return {max(max(min(a.x, b.x), min(a.y, b.y)), min(a.z, b.z)), min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z))};
 }
 
-// By division, not by the inverse: a plane of one coordinate is at the same distance whatever shape it belongs to.
+// The distances to the two planes of each axis. By division, not by the inverse: a plane of one coordinate is at the
+// same distance whatever shape it belongs to.
+struct BoxPlanes {
+  Float3 near, far;
+
+  PENUMBRA_INLINE BoxPlanes(const float* box, Float3 origin, Float3 direction) {
+    const auto divisor = [](Floats x) { return copysign(max(abs(x), Floats(1e-30f)), x); };
+    const Float3 d{divisor(direction.x), divisor(direction.y), divisor(direction.z)};
+    const Float3 lo = broadcast3(box) - origin;
+    const Float3 hi = broadcast3(box + 3) - origin;
+    const Float3 a{lo.x / d.x, lo.y / d.y, lo.z / d.z};
+    const Float3 b{hi.x / d.x, hi.y / d.y, hi.z / d.z};
+    near = {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
+    far = {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+  }
+  PENUMBRA_INLINE Floats enter() const { return max(max(near.x, near.y), near.z); }
+  PENUMBRA_INLINE Floats leave() const { return min(min(far.x, far.y), far.z); }
+};
+
 PENUMBRA_INLINE Crossing cross_box(const float* box, Float3 origin, Float3 direction, Floats nearest) {
-  const auto divisor = [](Floats x) { return copysign(max(abs(x), Floats(1e-30f)), x); };
-  const Float3 d{divisor(direction.x), divisor(direction.y), divisor(direction.z)};
-  const Float3 lo = broadcast3(box) - origin;
-  const Float3 hi = broadcast3(box + 3) - origin;
-  const Float3 a{lo.x / d.x, lo.y / d.y, lo.z / d.z};
-  const Float3 b{hi.x / d.x, hi.y / d.y, hi.z / d.z};
-  const Floats enter = max(max(min(a.x, b.x), min(a.y, b.y)), min(a.z, b.z));
-  const Floats leave = min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z));
-  return first_beyond(nearest, enter <= leave, enter, leave);
+  const BoxPlanes planes(box, origin, direction);
+  return first_beyond(nearest, planes.enter() <= planes.leave(), planes.enter(), planes.leave());
 }
 
-// The face is the one whose plane the point is nearest to, in units of the box's half extent.
-PENUMBRA_INLINE void box_surface(const float* box, Float3& point, Float3& normal) {
-  const Floats half = Floats(0.5f);
-  const Float3 center = (broadcast3(box) + broadcast3(box + 3)) * half;
-  const Float3 extent = (broadcast3(box + 3) - broadcast3(box)) * half;
-  const Float3 from_center = point - center;
-  const Floats tiny = Floats(1e-30f);
-  const Floats depth_x = (abs(from_center.x) - extent.x) / max(extent.x, tiny);
-  const Floats depth_y = (abs(from_center.y) - extent.y) / max(extent.y, tiny);
-  const Floats depth_z = (abs(from_center.z) - extent.z) / max(extent.z, tiny);
-  const Mask on_x = (depth_x >= depth_y) & (depth_x >= depth_z);
-  const Mask on_y = ~on_x & (depth_y >= depth_z);
+// The face is the one at that distance, and faces the ray where it enters: near an edge the point alone would not tell.
+PENUMBRA_INLINE void box_surface(const float* box, Float3 origin, Float3 direction, Floats distance, Float3& point,
+                                 Float3& normal) {
+  const BoxPlanes planes(box, origin, direction);
+  const Mask entering = planes.enter() == distance;
+  const Float3 at = select(entering, planes.near, planes.far);
+  const Mask on_x = at.x == distance;
+  const Mask on_y = ~on_x & (at.y == distance);
   const Mask on_z = ~on_x & ~on_y;
-  normal = {keep(on_x, copysign(Floats(1), from_center.x)), keep(on_y, copysign(Floats(1), from_center.y)),
-            keep(on_z, copysign(Floats(1), from_center.z))};
+  const Float3 outward = select(entering, -direction, direction);
+  const Floats one = Floats(1);
+  normal = {keep(on_x, copysign(one, outward.x)), keep(on_y, copysign(one, outward.y)),
+            keep(on_z, copysign(one, outward.z))};
   const auto face = [&](int axis, Floats side) {
     return select(side > Floats(0), Floats(box[3 + axis]), Floats(box[axis]));
   };
-  point = {select(on_x, face(0, from_center.x), point.x), select(on_y, face(1, from_center.y), point.y),
-           select(on_z, face(2, from_center.z), point.z)};
+  point = {select(on_x, face(0, normal.x), point.x), select(on_y, face(1, normal.y), point.y),
+           select(on_z, face(2, normal.z), point.z)};
 }
+
+// Where the rays are inside the endless round wall, and between the planes of the caps.
+struct CylinderSpans {
+  Mask meets_wall, along_axis;
+  Interval wall, caps;
+
+  // data: x, z, radius, y_min, y_max
+  PENUMBRA_INLINE CylinderSpans(const float* data, Float3 origin, Float3 direction) {
+    const Floats x = origin.x - Floats(data[0]);
+    const Floats z = origin.z - Floats(data[1]);
+    const Floats radius2 = Floats(data[2]) * Floats(data[2]);
+    const Floats infinity = Floats(__builtin_inff());
+    const Floats a = direction.x * direction.x + direction.z * direction.z;
+    const Floats moment = x * direction.z - z * direction.x;
+    const Floats discriminant = a * radius2 - moment * moment;
+    along_axis = a <= Floats(1e-30f);
+    const Floats inverse_a = Floats(1) / select(along_axis, Floats(1), a);
+    const Floats middle = -(x * direction.x + z * direction.z) * inverse_a;
+    const Floats half_chord = sqrt(max(discriminant, Floats(0))) * inverse_a;
+    const Mask inside_wall = x * x + z * z <= radius2;
+    meets_wall = (along_axis & inside_wall) | (~along_axis & (discriminant >= Floats(0)));
+    wall = {select(along_axis, -infinity, middle - half_chord), select(along_axis, infinity, middle + half_chord)};
+
+    const Floats divisor = copysign(max(abs(direction.y), Floats(1e-30f)), direction.y);
+    const Floats p = (Floats(data[3]) - origin.y) / divisor;
+    const Floats q = (Floats(data[4]) - origin.y) / divisor;
+    caps = {min(p, q), max(p, q)};
+  }
+};
 
 // data: x, z, radius, y_min, y_max. With caps, the solid is what the round wall and the slab have in common; without,
 // each crossing of the wall counts that lies between the ends.
 PENUMBRA_INLINE Crossing cross_cylinder(const float* data, Float3 origin, Float3 direction, Floats nearest,
                                         bool capped) {
-  const Floats x = origin.x - Floats(data[0]);
-  const Floats z = origin.z - Floats(data[1]);
-  const Floats radius2 = Floats(data[2]) * Floats(data[2]);
-  const Floats infinity = Floats(__builtin_inff());
-
-  const Floats a = direction.x * direction.x + direction.z * direction.z;
-  const Floats moment = x * direction.z - z * direction.x;
-  const Floats discriminant = a * radius2 - moment * moment;
-  const Mask along_axis = a <= Floats(1e-30f);
-  const Floats inverse_a = Floats(1) / select(along_axis, Floats(1), a);
-  const Floats middle = -(x * direction.x + z * direction.z) * inverse_a;
-  const Floats half_chord = sqrt(max(discriminant, Floats(0))) * inverse_a;
-  const Mask inside_wall = x * x + z * z <= radius2;
-  const Mask meets_wall = (along_axis & inside_wall) | (~along_axis & (discriminant >= Floats(0)));
-  const Floats wall_enter = select(along_axis, -infinity, middle - half_chord);
-  const Floats wall_leave = select(along_axis, infinity, middle + half_chord);
-
+  const CylinderSpans spans(data, origin, direction);
   if (capped) {
-    const Floats divisor = copysign(max(abs(direction.y), Floats(1e-30f)), direction.y);
-    const Floats p = (Floats(data[3]) - origin.y) / divisor;
-    const Floats q = (Floats(data[4]) - origin.y) / divisor;
-    const Floats enter = max(wall_enter, min(p, q));
-    const Floats leave = min(wall_leave, max(p, q));
-    return first_beyond(nearest, meets_wall & (enter <= leave), enter, leave);
+    const Floats enter = max(spans.wall.enter, spans.caps.enter);
+    const Floats leave = min(spans.wall.leave, spans.caps.leave);
+    return first_beyond(nearest, spans.meets_wall & (enter <= leave), enter, leave);
   }
   const auto in_reach = [&](Floats t) {
     const Floats y = origin.y + t * direction.y;
     return (t > nearest) & (y >= Floats(data[3])) & (y <= Floats(data[4]));
   };
-  const Mask on_wall = meets_wall & ~along_axis;
-  const Mask near_hit = on_wall & in_reach(wall_enter);
-  const Mask far_hit = on_wall & in_reach(wall_leave);
-  return {near_hit | far_hit, select(near_hit, wall_enter, wall_leave)};
+  const Mask on_wall = spans.meets_wall & ~spans.along_axis;
+  const Mask near_hit = on_wall & in_reach(spans.wall.enter);
+  const Mask far_hit = on_wall & in_reach(spans.wall.leave);
+  return {near_hit | far_hit, select(near_hit, spans.wall.enter, spans.wall.leave)};
 }
 
-PENUMBRA_INLINE void cylinder_surface(const float* data, bool capped, Float3& point, Float3& normal) {
+PENUMBRA_INLINE void wall_surface(const float* data, Float3& point, Float3& normal) {
   const Floats x = point.x - Floats(data[0]);
   const Floats z = point.z - Floats(data[1]);
-  const Floats from_axis = sqrt(x * x + z * z);
-  const Floats inverse = Floats(1) / max(from_axis, Floats(1e-30f));
-  Float3 wall_normal{x * inverse, Floats(0), z * inverse};
-  Float3 wall_point{Floats(data[0]) + wall_normal.x * Floats(data[2]), point.y,
-                    Floats(data[1]) + wall_normal.z * Floats(data[2])};
-  if (!capped) {
-    point = wall_point;
-    normal = wall_normal;
-    return;
-  }
-  const Floats below_cap = min(abs(point.y - Floats(data[3])), abs(point.y - Floats(data[4])));
-  const Mask on_cap = below_cap < abs(from_axis - Floats(data[2]));
-  const Mask on_top = abs(point.y - Floats(data[4])) < abs(point.y - Floats(data[3]));
-  const Float3 cap_normal{Floats(0), select(on_top, Floats(1), Floats(-1)), Floats(0)};
-  const Float3 cap_point{point.x, select(on_top, Floats(data[4]), Floats(data[3])), point.z};
-  normal = select(on_cap, cap_normal, wall_normal);
-  point = select(on_cap, cap_point, wall_point);
+  const Floats inverse = Floats(1) / max(sqrt(x * x + z * z), Floats(1e-30f));
+  normal = {x * inverse, Floats(0), z * inverse};
+  point = {Floats(data[0]) + normal.x * Floats(data[2]), point.y, Floats(data[1]) + normal.z * Floats(data[2])};
+}
+
+// Wall or cap: whichever is at that distance, as for the faces of a box.
+PENUMBRA_INLINE void capped_surface(const float* data, Float3 origin, Float3 direction, Floats distance, Float3& point,
+                                    Float3& normal) {
+  const CylinderSpans spans(data, origin, direction);
+  const Mask entering = max(spans.wall.enter, spans.caps.enter) == distance;
+  const Mask on_cap = select(entering, spans.caps.enter, spans.caps.leave) == distance;
+  const Floats outward = copysign(Floats(1), select(entering, -direction.y, direction.y));
+  const Float3 cap_point{point.x, select(outward > Floats(0), Floats(data[4]), Floats(data[3])), point.z};
+  wall_surface(data, point, normal);
+  normal = select(on_cap, Float3{Floats(0), outward, Floats(0)}, normal);
+  point = select(on_cap, cap_point, point);
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -97,13 +97,13 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
       sphere_surface(leaf.data, point, normal);
       break;
     case LeafKind::box:
-      box_surface(leaf.data, point, normal);
+      box_surface(leaf.data, origin, direction, hits.distance, point, normal);
       break;
     case LeafKind::cylinder:
-      cylinder_surface(leaf.data, true, point, normal);
+      capped_surface(leaf.data, origin, direction, hits.distance, point, normal);
       break;
     case LeafKind::hollow_cylinder:
-      cylinder_surface(leaf.data, false, point, normal);
+      wall_surface(leaf.data, point, normal);
       break;
     default:
       normal = broadcast3(leaf.data + 9);
@@ -115,7 +115,7 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
     normal = normalize(multiply_transposed(placement.inverse, normal));
   }
   hits.texture_point = select(lanes, point, hits.texture_point);
-  if (leaf.moves()) point = point + broadcast3(leaf.motion) * g.rays.time;
+  if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
   hits.point = select(lanes, point, hits.point);
   hits.normal = select(lanes, normal, hits.normal);
   hits.surface = select(lanes, Ints(leaf.target), hits.surface);
@@ -141,7 +141,7 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   const Rays inside = rays_inside(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::mesh) {
     const Mask improved = intersect_mesh(g.world, leaf, inside, active, hits);
-    if (leaf.moves()) {
+    if (leaf.moves) {
       hits.point = select(improved, hits.point + broadcast3(leaf.motion) * g.rays.time, hits.point);
     }
     return;
@@ -155,7 +155,7 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   if (none(improved)) return;
   const Placement& placement = g.world.placements[leaf.placement];
   Float3 point = multiply(placement.linear, nested.point) + broadcast3(placement.translation);
-  if (leaf.moves()) point = point + broadcast3(leaf.motion) * g.rays.time;
+  if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
   const Float3 normal = normalize(multiply_transposed(placement.inverse, nested.normal));
   const Floats reach = max(Floats(leaf.magnitude), nested.magnitude * Floats(leaf.data[0]));
   hits.distance = select(improved, nested.distance, hits.distance);

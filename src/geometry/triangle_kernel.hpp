@@ -8,56 +8,53 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// The shear that turns the ray's direction into its largest axis, as three rows.
+// The shear that turns the ray's direction into its largest axis.
 struct RayShear {
-  Float3 row_x, row_y, row_z;
-  Floats slope_x, slope_y;  // minus the other two axes per largest
+  Mask z_largest, y_largest;
   int agreed_axis = -1;     // the largest axis, where all rays of a packet agree on it
+  Floats slope_x, slope_y;  // minus the two other axes per largest
+  Floats inverse;           // one over the largest
 
   PENUMBRA_INLINE RayShear() = default;
   PENUMBRA_INLINE RayShear(Float3 d, Mask active) {
     const Float3 size{abs(d.x), abs(d.y), abs(d.z)};
-    const Mask z_largest = (size.z >= size.x) & (size.z >= size.y);
-    const Mask y_largest = ~z_largest & (size.y >= size.x);
-    const Floats zero = Floats(0);
-    const Floats one = Floats(1);
-    // The two other axes follow the largest cyclically.
-    const Floats along = select(z_largest, d.z, select(y_largest, d.y, d.x));
-    const Floats next = select(z_largest, d.x, select(y_largest, d.z, d.y));
-    const Floats last = select(z_largest, d.y, select(y_largest, d.x, d.z));
-    const Floats inverse = one / along;
-    slope_x = -(next * inverse);
-    slope_y = -(last * inverse);
-    const std::uint32_t all = bits(active);
-    if ((bits(z_largest) & all) == all) agreed_axis = 2;
-    if ((bits(y_largest) & all) == all) agreed_axis = 1;
-    if ((bits(z_largest | y_largest) & all) == 0) agreed_axis = 0;
-    const auto row = [&](Floats on_next, Floats on_last, Floats on_largest) {
-      return Float3{select(z_largest, on_next, select(y_largest, on_last, on_largest)),
-                    select(z_largest, on_last, select(y_largest, on_largest, on_next)),
-                    select(z_largest, on_largest, select(y_largest, on_next, on_last))};
-    };
-    row_x = row(one, zero, slope_x);
-    row_y = row(zero, one, slope_y);
-    row_z = row(zero, zero, inverse);
+    z_largest = (size.z >= size.x) & (size.z >= size.y);
+    y_largest = ~z_largest & (size.y >= size.x);
+    const std::uint32_t all = bits(active), on_z = bits(z_largest) & all, on_y = bits(y_largest) & all;
+    agreed_axis = on_z == all ? 2 : on_y == all ? 1 : (on_z | on_y) == 0 ? 0 : -1;
+    const Turned turned = turn(d);
+    inverse = Floats(1) / turned.along;
+    slope_x = -(turned.next * inverse);
+    slope_y = -(turned.last * inverse);
   }
 
-  struct Projected {
-    Floats x, y;
+  // A vector's components: along the largest axis, and the two that follow it cyclically.
+  struct Turned {
+    Floats along, next, last;
   };
-  // A corner, relative to the origin, as the ray sees it. Both ways give the same bits: the rows hold exact ones and
-  // zeros besides the slope.
-  PENUMBRA_INLINE Projected project(Float3 corner) const {
+  PENUMBRA_INLINE Turned turn(Float3 v) const {
     switch (agreed_axis) {
       case 0:
-        return {corner.y + corner.x * slope_x, corner.z + corner.x * slope_y};
+        return {v.x, v.y, v.z};
       case 1:
-        return {corner.z + corner.y * slope_x, corner.x + corner.y * slope_y};
+        return {v.y, v.z, v.x};
       case 2:
-        return {corner.x + corner.z * slope_x, corner.y + corner.z * slope_y};
+        return {v.z, v.x, v.y};
       default:
-        return {dot(corner, row_x), dot(corner, row_y)};
+        return {select(z_largest, v.z, select(y_largest, v.y, v.x)),
+                select(z_largest, v.x, select(y_largest, v.z, v.y)),
+                select(z_largest, v.y, select(y_largest, v.x, v.z))};
     }
+  }
+
+  // A corner, relative to the origin, as the ray sees it: in the plane across, and the distance along the ray.
+  struct Projected {
+    Floats x, y, along;
+    PENUMBRA_INLINE Floats distance(const RayShear& shear) const { return along * shear.inverse; }
+  };
+  PENUMBRA_INLINE Projected project(Float3 corner) const {
+    const Turned c = turn(corner);
+    return {c.next + c.along * slope_x, c.last + c.along * slope_y, c.along};
   }
 };
 
@@ -79,7 +76,7 @@ PENUMBRA_INLINE Crossing cross_triangle(Float3 a, Float3 b, Float3 c, Float3 nor
   Floats t = dot(normal, a) / cosine;
   const Mask grazing = inside & (cosine * cosine < Floats(1e-4f) * dot(direction, direction));
   if (any(grazing)) {
-    const Floats weighted = u * dot(a, shear.row_z) + v * dot(b, shear.row_z) + w * dot(c, shear.row_z);
+    const Floats weighted = u * pa.distance(shear) + v * pb.distance(shear) + w * pc.distance(shear);
     t = select(grazing, weighted / determinant, t);
   }
   return {inside & (t > nearest), t};

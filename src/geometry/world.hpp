@@ -23,6 +23,7 @@ inline constexpr std::uint32_t no_placement = 0xffffffffu;
 // One shape of a group, in the space of the group (or of its placement, where it has one).
 struct Leaf {
   LeafKind kind = LeafKind::sphere;
+  bool moves = false;        // `motion` is not zero
   std::uint32_t order = 0;   // at equal distance the lower one wins
   std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
   std::uint32_t placement = no_placement;
@@ -31,8 +32,6 @@ struct Leaf {
   // sphere: centre, radius · box: lo, hi · cylinders: x, z, radius, y_min, y_max
   // triangle: three corners, unit normal along (B-A)x(C-A) · instance: largest row sum of |M_ij|
   float data[12] = {};
-
-  bool moves() const { return motion[0] != 0 || motion[1] != 0 || motion[2] != 0; }
 };
 
 // group = linear * local + translation, and back: local = inverse * (group - translation). Matrices row by row.

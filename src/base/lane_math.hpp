@@ -69,7 +69,7 @@ PENUMBRA_INLINE Floats log2(Floats a) {
   return exponent + (series * t + t * Floats(2.88539008178f));
 }
 
-// 2 to the power a, for a in [-126, 126] (smaller: 2^-126); relative error below 2e-7.
+// 2 to the power a, for a in [-126, 126] (smaller: 2^-126); relative error below 2.5e-7.
 PENUMBRA_INLINE Floats exp2(Floats a) {
   const Floats clamped = min(max(a, Floats(-126)), Floats(126));
   const Floats whole = round(clamped);

@@ -22,7 +22,12 @@
 #error "PENUMBRA_LANES must be 4, 8 or 16"
 #endif
 
+// Under the sanitizers, calls are left calls: inlined, the instrumented packets take minutes to compile.
+#ifdef PENUMBRA_SANITIZED
+#define PENUMBRA_INLINE inline
+#else
 #define PENUMBRA_INLINE inline __attribute__((always_inline))
+#endif
 
 namespace penumbra::PENUMBRA_KERNEL {
 

@@ -71,8 +71,8 @@ void set3(float* out, Vec3 v) {
   for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
 }
 
-// The unit normal of a triangle leaf, to the bit as for the triangles of a mesh (geometry/mesh_packet.hpp), so that both
-// rooms agree on what is equally far. Where single precision has no answer, the double one.
+// The unit normal of a triangle leaf, to the bit as for the triangles of a mesh (geometry/mesh_packet.hpp), so that
+// both rooms agree on what is equally far. Where single precision has no answer, the double one.
 void set_normal(float (&data)[12]) {
   const float ux = data[3] - data[0], uy = data[4] - data[1], uz = data[5] - data[2];
   const float vx = data[6] - data[0], vy = data[7] - data[1], vz = data[8] - data[2];

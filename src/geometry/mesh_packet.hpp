@@ -100,9 +100,8 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));
   Floats distance = select(grazing | ~(plane > Floats(0)), load(query.ray.tfar), plane);
   if (any(found & grazing)) {
-    const Crossing own =
-        cross_triangle(triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin, normal,
-                       rays.direction, rays.nearest, RayShear(rays.direction, found));
+    const Crossing own = cross_triangle(triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin,
+                                        normal, rays.direction, rays.nearest, RayShear(rays.direction, found));
     distance = select(grazing & own.hit, own.distance, distance);
   }
   const Mask nearer =

@@ -45,6 +45,7 @@ void instance(Reading& reading, const Call& call) {
   const auto& names = reading.builder.tree().names;
   if (names.find(call.word(0)) == names.end()) {
     std::vector<std::string_view> known;
+    known.reserve(names.size());
     for (const auto& [name, named] : names) known.push_back(name);
     return reading.diagnostics.error(call.place_of_argument(0),
                                      fmt::format("there is no object with the name {}", in_quotes(call.word(0))),

@@ -37,6 +37,8 @@ std::optional<MeshError> read_mesh(const std::filesystem::path& path, FileBytes&
   if (error) {
     store.vertices.resize(vertices);
     store.indices.resize(indices);
+  } else if (determinant(matrix) < 0) {
+    store.turn_from(indices);
   }
   return error;
 }

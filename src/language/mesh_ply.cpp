@@ -207,7 +207,7 @@ class PlyBody {
       return fail(at, fmt::format("face {} has {} corners; it needs at least three", i, count));
     }
     std::uint32_t first = 0, last = 0, current = 0;
-    for (double k = 0; k < count; k++) {
+    for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(count); k++) {
       if (!read_corner(element, corners.type, i, current)) return false;
       if (k == 0) first = current;
       if (k >= 2) {

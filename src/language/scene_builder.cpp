@@ -138,7 +138,7 @@ Complaint SceneBuilder::end_polygon() {
   }
   const std::uint32_t first = triangles_.triangle_count();
   change();
-  const std::uint32_t count = triangles_.end_polygon();
+  const std::uint32_t count = triangles_.end_polygon(determinant(matrix()) < 0);
   if (count == 0) return "there are too many triangles";
   tree_.add_polygon(first, count, surface_index());
   return {};

@@ -25,7 +25,7 @@ void TriangleBuilder::abandon_polygon() {
   store_->vertices.resize(polygon_start_);
 }
 
-std::uint32_t TriangleBuilder::end_polygon() {
+std::uint32_t TriangleBuilder::end_polygon(bool mirrored) {
   in_polygon_ = false;
   const std::uint64_t first = polygon_start_ / 3;
   const std::uint64_t count = polygon_vertices() - 2;
@@ -37,6 +37,7 @@ std::uint32_t TriangleBuilder::end_polygon() {
     indices.push_back(static_cast<std::uint32_t>(first + i + 1));
     indices.push_back(static_cast<std::uint32_t>(first + i + 2));
   }
+  if (mirrored) store_->turn_from(indices.size() - 3 * count);
   return static_cast<std::uint32_t>(count);
 }
 

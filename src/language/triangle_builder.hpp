@@ -67,8 +67,9 @@ class TriangleBuilder {
   }
   std::uint64_t polygon_vertices() const { return (store_->vertices.size() - polygon_start_) / 3; }
   // Splits the open polygon, which has at least three corners, as a fan; the number of triangles, or 0 if the store is
-  // full.
-  std::uint32_t end_polygon();
+  // full. Under a matrix that mirrors, the corners are taken in the other order, so that the outward side stays
+  // outside.
+  std::uint32_t end_polygon(bool mirrored);
 
  private:
   std::shared_ptr<TriangleStore> store_;

@@ -34,6 +34,10 @@ PENUMBRA_INLINE Ints scramble_upward(Ints x, Ints seed) {
   return x;
 }
 
+// An order of the indices in which every bit depends on the bits above it: aligned blocks of 2^k indices stay together,
+// so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the index.
+PENUMBRA_INLINE Ints shuffle(Ints index, Ints seed) { return reverse_bits(scramble_upward(reverse_bits(index), seed)); }
+
 // The second Sobol dimension of an index, bit-reversed on both sides: Pascal's triangle modulo 2 as five butterflies.
 PENUMBRA_INLINE Ints second_sobol_dimension(Ints x) {
   x ^= (x & Ints(0xaaaaaaaau)) >> 1;
@@ -95,9 +99,10 @@ struct Sampler {
     const Ints seed = hash(key, Ints(dimension));
     const Ints other_seed = mix_bits(seed + Ints(0x68bc21ebu));
     if (pattern == Pattern::random) return {to_fraction(hash(seed, index)), to_fraction(hash(other_seed, index))};
-    const Ints shuffled = scramble_upward(index, seed);
+    const Ints shuffled = shuffle(index, seed);
+    const Ints first = scramble_upward(shuffled, mix_bits(seed ^ Ints(0x02e5be93u)));
     const Ints second = scramble_upward(second_sobol_dimension(shuffled), other_seed);
-    return {to_fraction(reverse_bits(shuffled) ^ mix_bits(other_seed ^ Ints(0x02e5be93u))),
+    return {to_fraction(reverse_bits(first) ^ mix_bits(other_seed ^ Ints(0x02e5be93u))),
             to_fraction(reverse_bits(second) ^ mix_bits(other_seed ^ Ints(0x967a889bu)))};
   }
 
@@ -105,7 +110,8 @@ struct Sampler {
   PENUMBRA_INLINE Floats single(std::uint32_t dimension) const {
     const Ints seed = hash(key, Ints(dimension));
     if (pattern == Pattern::random) return to_fraction(hash(seed, index));
-    return to_fraction(reverse_bits(scramble_upward(index, seed)) ^ mix_bits(seed ^ Ints(0x02e5be93u)));
+    const Ints other_seed = mix_bits(seed ^ Ints(0x02e5be93u));
+    return to_fraction(reverse_bits(scramble_upward(shuffle(index, seed), other_seed)) ^ other_seed);
   }
 };
 

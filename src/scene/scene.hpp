@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -125,6 +126,11 @@ struct Group {
 struct TriangleStore {
   std::vector<float> vertices;         // 3 floats a vertex, in the space of the group that holds the triangle
   std::vector<std::uint32_t> indices;  // 3 a triangle; its outward side is (B-A)x(C-A)
+
+  // Turns the triangles from this index on inside out. A matrix that mirrors would leave the outward side behind.
+  void turn_from(std::size_t first_index) {
+    for (std::size_t i = first_index; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+  }
 
   std::size_t triangle_count() const { return indices.size() / 3; }
 };

@@ -1,4 +1,4 @@
-// A folder of its own for one test, gone when the test is over; and small helpers for files and programs in it.
+// A folder of its own for one test, gone when the test is over; and small functions for files and programs in it.
 #pragma once
 
 #include <gtest/gtest.h>

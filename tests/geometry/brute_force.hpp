@@ -39,9 +39,9 @@ class BruteForce {
   struct Item {
     Shape shape;
     std::uint32_t surface;
-    std::vector<Step> steps;     // from the world inward
-    std::vector<Vec3> corners;   // of triangles, three to each
-    Vec3 center;                 // of a ball round the triangles
+    std::vector<Step> steps;    // from the world inward
+    std::vector<Vec3> corners;  // of triangles, three to each
+    Vec3 center;                // of a ball round the triangles
     double radius_squared = 0;
   };
 

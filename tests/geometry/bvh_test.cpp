@@ -37,7 +37,8 @@ struct Walk {
       const Bounds below = visit(nodes.at(node).child[child], level + 1);
       const float* stored = nodes[node].bounds[child];
       int outside = 0;
-      for (int axis = 0; axis < 3; axis++) outside += stored[axis] > below.lo[axis] || stored[3 + axis] < below.hi[axis];
+      for (int axis = 0; axis < 3; axis++)
+        outside += stored[axis] > below.lo[axis] || stored[3 + axis] < below.hi[axis];
       EXPECT_EQ(outside, 0);
       bounds = include(bounds, below);
     }

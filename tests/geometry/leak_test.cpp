@@ -1,6 +1,7 @@
 // Closed meshes have no gaps: no ray from inside gets out, wherever it is aimed, in our own tree and in Embree. The
 // rays go to corners and to points of edges, where neighbouring triangles must agree to the last bit. Embree keeps that
-// promise for edges only: of the rays that are aimed at the very corners of a mesh, up to one in ten thousand gets lost.
+// promise for edges only: of the rays that are aimed at the very corners of a mesh, up to one in ten thousand gets
+// lost.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -22,9 +22,9 @@ std::vector<Vec3> icosphere(int levels) {
   const double g = std::numbers::phi;
   const std::array<Vec3, 12> v{Vec3{-1, g, 0}, {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                {0, -1, -g},    {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  constexpr std::array<int, 60> faces{0, 11, 5, 0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
-                                      4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3, 9, 4, 3, 4,  2, 3, 2, 6, 3,
-                                      6, 8,  3, 8, 9,  4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  constexpr std::array<int, 60> faces{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                      4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                      6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
   std::vector<Vec3> corners;
   for (const int i : faces) corners.push_back(normalize(v[static_cast<std::size_t>(i)]));
   for (int level = 0; level < levels; level++) {
@@ -102,7 +102,8 @@ Affine placement_of_shape(Random& random) {
     case 1:
       return translation(random_point(random, 3)) * rotation(uniform(random, 0, 360), random_direction(random));
     case 2:
-      return translation(random_point(random, 3)) * scaling({uniform(random, 0.5, 1.6), uniform(random, 0.5, 1.6), 1.2});
+      return translation(random_point(random, 3)) *
+             scaling({uniform(random, 0.5, 1.6), uniform(random, 0.5, 1.6), 1.2});
     default:
       return random_placement(random, 3);
   }

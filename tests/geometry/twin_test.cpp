@@ -44,7 +44,8 @@ bool same_hit(const ProbeRay& ray, const ProbeHit& packet, const BruteHit& twin,
   if (!found || !twin_found) return found == twin_found;
   const double speed = length(vec(ray.direction));
   return packet.surface == twin.surface && std::abs(packet.distance - twin.distance) * speed <= tolerance &&
-         length(vec(packet.point) - twin.point) <= tolerance && length(vec(packet.normal) - twin.normal) <= 100 * tolerance;
+         length(vec(packet.point) - twin.point) <= tolerance &&
+         length(vec(packet.normal) - twin.normal) <= 100 * tolerance;
 }
 
 // Whether `accept` holds for any of the rays that run 1e-4 of the scene's size beside this one, or start or end so much
@@ -81,13 +82,13 @@ void check(const ProbeRay& ray, const ProbeHit& packet, bool blocked, const Brut
   const bool hit_agrees = same_hit(ray, packet, exact, 1e-6 * scene_size);
   const bool blocked_agrees = blocked == (exact.distance < ray.farthest);
   if (hit_agrees && blocked_agrees) return;
-  const bool excused =
-      (hit_agrees || holds_nearby(ray, twin,
-                                  [&](const BruteHit& hit, double) {
-                                    return same_hit(ray, packet, hit, 3e-4 * scene_size);
-                                  })) &&
-      (blocked_agrees ||
-       holds_nearby(ray, twin, [&](const BruteHit& hit, double farthest) { return blocked == (hit.distance < farthest); }));
+  const bool excused = (hit_agrees || holds_nearby(ray, twin,
+                                                   [&](const BruteHit& hit, double) {
+                                                     return same_hit(ray, packet, hit, 3e-4 * scene_size);
+                                                   })) &&
+                       (blocked_agrees || holds_nearby(ray, twin, [&](const BruteHit& hit, double farthest) {
+                          return blocked == (hit.distance < farthest);
+                        }));
   tally.doubtful++;
   if (excused) return;
   if (tally.wrong++ < 5) {
@@ -120,7 +121,6 @@ TEST_P(Twin, AgreesWithThePackets) {
     EXPECT_EQ(tally.wrong, 0);
     EXPECT_LE(tally.doubtful, std::max(tally.rays / 1000, 2));
     RecordProperty(kernel->isa, tally.doubtful);
-    if (getenv("V")) printf("doubtful %d\n", tally.doubtful);
   }
 }
 

@@ -1,5 +1,6 @@
 // Independent judges: OpenImageIO's oiiotool must read our files as we meant them, and idiff must find the same figures
 // and give the same exit codes. Skipped where the tools are not installed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,7 +79,7 @@ TEST_F(Judges, IdiffFindsTheSameFigures) {
       write_image(a, whole_picture(image));
       write_image(b, whole_picture(other));
       const Comparison ours = compare(read_image(a), read_image(b), {});
-      const std::string theirs = run_program("idiff -v " + a + " " + b).output;
+      const std::string theirs = run_program(fmt::format("idiff -v {} {}", a, b)).output;
       EXPECT_NEAR(ours.errors.mean_absolute_error / number_after(theirs, "Mean error = "), 1, 1e-5) << theirs;
       EXPECT_NEAR(ours.errors.rmse / number_after(theirs, "RMS error = "), 1, 1e-5) << theirs;
       EXPECT_NEAR(ours.errors.psnr, number_after(theirs, "Peak SNR = "), 1e-3) << theirs;

@@ -71,10 +71,10 @@ TEST(Metrics, LumaIsClamped) {
 }
 
 // 100 pixels, of which `count` differ by 0.25.
-Verdict verdict_of(int count, const Thresholds& thresholds) {
+Verdict verdict_of(std::size_t count, const Thresholds& thresholds) {
   const Image a = test::flat(10, 10, 0.5f, 0.5f, 0.5f);
   Image b = a;
-  for (int i = 0; i < count; i++) b.rgb[static_cast<std::size_t>(3 * i)] = 0.75f;
+  for (std::size_t i = 0; i < count; i++) b.rgb[3 * i] = 0.75f;
   return compare(whole_picture(a), whole_picture(b), thresholds).verdict;
 }
 

@@ -111,7 +111,7 @@ Bytes png_of_kind(int colour_type, int bits, std::vector<std::vector<png_byte>> 
 TEST(Png, EveryKindIsReadAsRgb) {
   const auto read = [](const Bytes& bytes) { return decode_png(bytes, "x.png").image.rgb; };
   using Values = std::vector<float>;
-  const auto grey = [](std::vector<float> values) {
+  const auto grey = [](const std::vector<float>& values) {
     Values rgb;
     for (const float v : values) rgb.insert(rgb.end(), 3, v);
     return rgb;

@@ -198,6 +198,31 @@ TEST(Ply, followsTheMatrix) {
   EXPECT_EQ(corners(scene, 1)[1], (Vec3{3, 0, -8}));
 }
 
+// (B-A)x(C-A) of a triangle of the store, by its sign along z.
+double outward_z(const Scene& scene, std::size_t triangle) {
+  const auto corner = [&](std::size_t k) {
+    const float* p = &scene.triangles->vertices[3 * std::size_t{scene.triangles->indices[3 * triangle + k]}];
+    return Vec3{p[0], p[1], p[2]};
+  };
+  return cross(corner(1) - corner(0), corner(2) - corner(0)).z;
+}
+
+TEST(Mesh, keepsItsOutwardSideUnderAMatrixThatMirrors) {
+  const Files files = {{"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}};
+  EXPECT_GT(outward_z(scene_of("mesh m.obj\nrender\n", {}, files), 0), 0);
+  EXPECT_GT(outward_z(scene_of("scale -1 1 1\nmesh m.obj\nrender\n", {}, files), 0), 0);
+  EXPECT_LT(outward_z(scene_of("scale 1 1 -1\nmesh m.obj\nrender\n", {}, files), 0), 0);
+}
+
+TEST(Polygon, keepsItsOutwardSideUnderAMatrixThatMirrors) {
+  const std::string square = "begin\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nend\nrender\n";
+  for (std::size_t triangle = 0; triangle < 2; triangle++) {
+    EXPECT_GT(outward_z(scene_of(square), triangle), 0);
+    EXPECT_GT(outward_z(scene_of("scale 1 -1 1\n" + square), triangle), 0);
+    EXPECT_LT(outward_z(scene_of("scale -1 -1 -1\n" + square), triangle), 0);
+  }
+}
+
 TEST(Ply, saysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(mesh_error("s.ply", "ply\n"),
             "s.ply: error: the header of this PLY file does not end: there is no `end_header`\n");

@@ -95,8 +95,7 @@ TEST_P(StochasticPair, IsReproduced) {
   const int pictures = rays > 1 ? 1 : scaled(64, 8);
   for (int i = 0; i < pictures; i++) {
     const std::string more = rays > 1 ? " --rays 200" : "";
-    const Plane picture =
-        plane_of(render_levels(scene, "--threads 2 --seed " + std::to_string(100 + i) + more), crop);
+    const Plane picture = plane_of(render_levels(scene, "--threads 2 --seed " + std::to_string(100 + i) + more), crop);
     ASSERT_EQ(picture.size(), own.size());
     for (std::size_t k = 0; k < picture.size(); k++) converged[k] += picture[k] / pictures;
   }
@@ -116,9 +115,9 @@ TEST_P(StochasticPair, IsReproduced) {
   EXPECT_LE(mean_windows.largest, tighter.at("window_max").get<double>());
 }
 
-constexpr const char* names[] = {"12-2-sphere-50spp",       "13-2-motion-blur-1spp",   "14-2-motion-blur-100spp",
-                                 "15-2-soft-shadow-1spp",   "16-2-soft-shadow-100spp", "17-2-lens-1spp",
-                                 "18-2-lens-100spp-f3",     "19-2-lens-100spp-f6"};
+constexpr const char* names[] = {"12-2-sphere-50spp",     "13-2-motion-blur-1spp",   "14-2-motion-blur-100spp",
+                                 "15-2-soft-shadow-1spp", "16-2-soft-shadow-100spp", "17-2-lens-1spp",
+                                 "18-2-lens-100spp-f3",   "19-2-lens-100spp-f6"};
 
 std::string test_name(const testing::TestParamInfo<const char*>& info) {
   std::string name = info.param;

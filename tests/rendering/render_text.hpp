@@ -80,8 +80,8 @@ inline Picture3 render_scene(const Scene& scene, const RenderSettings& settings 
   Film film(plan.crop, plan.layers);
   RenderState state;
   const Kernel& kernel = settings.kernel ? *settings.kernel : *usable_kernels().back();
-  const RayCounts rays = render_samples(film, frame, kernel, plan,
-                                        {0, static_cast<std::uint32_t>(scene.rays_per_pixel)}, state);
+  const RayCounts rays =
+      render_samples(film, frame, kernel, plan, {0, static_cast<std::uint32_t>(scene.rays_per_pixel)}, state);
   return Picture3(std::move(film), rays);
 }
 

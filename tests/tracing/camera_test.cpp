@@ -66,8 +66,8 @@ TEST(Camera, RaysCoverThePixel) {
   // Light to the right of x = 0.3 pixels from the middle, at distance 10; a pixel is 1 wide there.
   const double k = std::tan(30 * std::numbers::pi / 180);
   const double pixel = 10 * 2 * k / 4;
-  const std::string scene = fmt::format("image_size 4 4\nfov 60\nsurface 0 0 0\ndiffuse 0 0 0 1 1 1\nbox {} -99 -11 99 99 -10\n",
-                                        0.3 * pixel);
+  const std::string scene = fmt::format(
+      "image_size 4 4\nfov 60\nsurface 0 0 0\ndiffuse 0 0 0 1 1 1\nbox {} -99 -10.0001 99 99 -10\n", 0.3 * pixel);
   const Picture3 own = render_text(scene + "rays_per_pixel 1024\n");
   EXPECT_NEAR(own.at(1, 2).x, 0, 1e-6);
   EXPECT_NEAR(own.at(2, 2).x, 0.7, 0.01);

@@ -9,7 +9,7 @@ namespace {
 
 const std::string phong = "surface 0 0 0 0 0 0 0.5 0.25 1 {} 0\n";
 const std::string blinn = "glossy 0 0 0 0.5 0.25 1 {} 0 0\n";
-const std::string floor_box = "box -50 -1 -50 50 0 50\n";
+const std::string floor_box = "box -20 -1 -20 20 0 20\n";
 
 // The highlight at the origin of the floor y = 0.
 double expected_highlight(bool is_blinn, Vec3 light, Vec3 eye, double power) {
@@ -26,7 +26,7 @@ TEST(Highlight, MatchesTheFormulas) {
         const std::string text = look(eye, -eye) + fmt::format("light {} 1 1 2\n", numbers(light)) +
                                  fmt::format(fmt::runtime(is_blinn ? blinn : phong), power) + floor_box;
         const double h = expected_highlight(is_blinn, light, eye, power);
-        expect_color(color_of(text), {0.5 * h, 0.25 * h, 2 * h}, 1e-6 * power + 1e-5);
+        expect_color(color_of(text), {0.5 * h, 0.25 * h, 2 * h}, 2e-6 * power + 2e-5);
       }
     }
   }
@@ -35,15 +35,15 @@ TEST(Highlight, MatchesTheFormulas) {
 TEST(Highlight, IsShadowedLikeTheDiffusePart) {
   const std::string ball = "surface 0 0 0\nsphere 0.2 -0.5 1 -1.5\n";
   for (const std::string& form : {phong, blinn}) {
-    const std::string text = look({1, 2, 3}, {-1, -2, -3}) + "light -1 2 -3 1 1 1\n" +
-                             fmt::format(fmt::runtime(form), 5) + floor_box;
+    const std::string text =
+        look({1, 2, 3}, {-1, -2, -3}) + "light -1 2 -3 1 1 1\n" + fmt::format(fmt::runtime(form), 5) + floor_box;
     EXPECT_GT(color_of(text).z, 0.99);
     expect_color(color_of(text + ball), {}, 0);
   }
 }
 
-// Not gated by N.L > 0: a light just below the horizon still has N.H > 0. Its shadow ray is stopped by the floor itself,
-// so that this shows without shadows only.
+// Not gated by N.L > 0: a light just below the horizon still has N.H > 0. Its shadow ray is stopped by the floor
+// itself, so that this shows without shadows only.
 TEST(Highlight, IsNotGatedByTheDiffuseCosine) {
   const Vec3 eye{1, 2, 3}, light{-1, -0.5, -3};
   const std::string text = look(eye, -eye) + fmt::format("light {} 1 1 1\n", numbers(light)) +

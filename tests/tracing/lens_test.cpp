@@ -1,7 +1,7 @@
-// The thin lens: a small bright ball at distance D is blurred to a disk of radius r = R |D - P| / P at its own distance,
-// uniform, and sharp in the focus plane. Radius and uniformity are told by the second moment of its picture, brightness
-// by the sum. Independent samples: limits are five standard errors or more, one seed in 10^6; the default pattern stays
-// within them.
+// The thin lens: a small bright ball at distance D is blurred to a disk of radius r = R |D - P| / P at its own
+// distance, uniform, and sharp in the focus plane. Radius and uniformity are told by the second moment of its picture,
+// brightness by the sum. Independent samples: limits are five standard errors or more, one seed in 10^6; the default
+// pattern stays within them.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -50,9 +50,9 @@ void check_blur(double distance, Pattern pattern) {
   const double pixel = 2 * half_view / pixels;
   RenderSettings settings;
   settings.pattern = pattern;
-  const std::string text =
-      fmt::format("image_size {0} {0}\nfov {1:.15g}\nrays_per_pixel {2}\nlens {3} {4}\ndiffuse 0 0 0 1 1 1\nsphere {5} 0 0 {6}\n",
-                  pixels, 2 * std::atan(half_view) * 180 / std::numbers::pi, rays, lens, focus, ball, -distance);
+  const std::string text = fmt::format(
+      "image_size {0} {0}\nfov {1:.15g}\nrays_per_pixel {2}\nlens {3} {4}\ndiffuse 0 0 0 1 1 1\nsphere {5} 0 0 {6}\n",
+      pixels, 2 * std::atan(half_view) * 180 / std::numbers::pi, rays, lens, focus, ball, -distance);
   const Blob blob = blob_of(render_text(text, settings), pixel);
   // A disk of radius a has the second moment a^2 / 4 along each axis; a pixel adds a twelfth of its square.
   const double moment = (radius * radius + ball * ball) / (4 * distance * distance) + pixel * pixel / 12;
@@ -107,8 +107,8 @@ TEST(Lens, FollowsTheCamera) {
     const Blob blob = blob_of(render_text(text), 1);
     return std::pair(blob.xx, blob.yy);
   };
-  const std::string common = fmt::format("image_size 64 64\nfov 40\nrays_per_pixel {}\nlens 0.5 3\ndiffuse 0 0 0 1 1 1\n",
-                                         scaled(256, 64));
+  const std::string common =
+      fmt::format("image_size 64 64\nfov 40\nrays_per_pixel {}\nlens 0.5 3\ndiffuse 0 0 0 1 1 1\n", scaled(256, 64));
   const auto [x, y] = width_and_height(common + "sphere 0.2 0 0 -6\n");
   const auto [u, v] = width_and_height(common + camera + "sphere 0.2 7 2 3\n");
   EXPECT_NEAR(u, x, 0.03 * x);

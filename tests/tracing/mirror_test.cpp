@@ -24,12 +24,14 @@ TEST(Mirrors, TwoParallelOnesGiveTheGeometricSeries) {
 
 // Factors of 1 and more are plain factors too.
 TEST(Mirrors, NothingIsNormalisedOrClamped) {
-  const std::string text = look({}, {0, 0, -1}) + "max_depth 3\nreflective 0 0 0 1 1 1 2\nbox -9 -9 -3 9 9 -2\nbox -9 -9 2 9 9 3\n";
+  const std::string text =
+      look({}, {0, 0, -1}) + "max_depth 3\nreflective 0 0 0 1 1 1 2\nbox -9 -9 -3 9 9 -2\nbox -9 -9 2 9 9 3\n";
   expect_color(color_of(text), {15, 15, 15}, 1e-4);
 }
 
 TEST(Mirrors, MissedReflectionsSeeTheBackground) {
-  const std::string text = look({}, {0, -1, -1}) + "background 0.2 0.4 0.8\nreflective 0 0 0 0.1 0 0 0.5\nbox -9 -3 -9 9 -2 9\n";
+  const std::string text =
+      look({}, {0, -1, -1}) + "background 0.2 0.4 0.8\nreflective 0 0 0 0.1 0 0 0.5\nbox -9 -3 -9 9 -2 9\n";
   expect_color(color_of(text), {0.2, 0.2, 0.4}, 1e-6);
   // At the last depth not even the background.
   expect_color(color_of("max_depth 0\n" + text), {0.1, 0, 0}, 1e-6);
@@ -57,8 +59,8 @@ TEST(Mirrors, DirectionIsTheMirrorDirection) {
 // Inside a ball the mirror faces inward, though its shading normal points outward.
 TEST(Mirrors, InsideOfABallReflects) {
   const Vec3 direction = normalize({0.6, 0, -0.8});
-  const std::string text = look({0, 0, -1}, direction) +
-                           "max_depth 1\nreflective 0 0 0 0.25 0.25 0.25 0.5\nsphere 2 0 0 0\n";
+  const std::string text =
+      look({0, 0, -1}, direction) + "max_depth 1\nreflective 0 0 0 0.25 0.25 0.25 0.5\nsphere 2 0 0 0\n";
   expect_color(color_of(text), {0.375, 0.375, 0.375}, 1e-6);
 }
 

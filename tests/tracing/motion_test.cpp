@@ -36,7 +36,8 @@ struct Row {
         const double a = 1 - x * x / d2, b = -10 * x / d2, c = 100 - 100 / d2 - 0.16;
         const double discriminant = b * b - a * c;
         if (discriminant <= 0) continue;
-        const double from = ((-b - std::sqrt(discriminant)) / a + 3) / 6, to = ((-b + std::sqrt(discriminant)) / a + 3) / 6;
+        const double from = ((-b - std::sqrt(discriminant)) / a + 3) / 6,
+                     to = ((-b + std::sqrt(discriminant)) / a + 3) / 6;
         sum += std::max(0.0, std::min(to, close) - std::max(from, open)) / (close - open);
       }
     }
@@ -65,7 +66,8 @@ TEST(Motion, CoverageOfAMovingBall) {
 TEST(Motion, EveryKindOfObjectMoves) {
   const std::string group = "begin_list\nsphere 0.4 -3 0 -10\nend_list\n";
   Row::check(0, 1, group + "moving_object 2 0 0\nmoving_object 4 0 0\n", Pattern::sobol);
-  Row::check(0, 1, "sphere 0.4 0 0 0\nnamed_object it\ntranslate -3 0 -10\ninstance it\nmoving_object 6 0 0\n", Pattern::sobol);
+  Row::check(0, 1, "sphere 0.4 0 0 0\nnamed_object it\ntranslate -3 0 -10\ninstance it\nmoving_object 6 0 0\n",
+             Pattern::sobol);
   Row::check(0, 1, group + "named_object it\ninstance it\nmoving_object 6 0 0\n", Pattern::sobol);
   // Inside a named object the shift is turned and scaled by the instance's matrix.
   Row::check(0, 1,
@@ -87,12 +89,13 @@ TEST(Motion, ShutterIsTheOneAskedFor) {
 // card in it. With times of their own, reflected rays would miss it mostly.
 TEST(Motion, ReflectedRaysKeepTheTime) {
   const std::string text = look({0, 0, 0}, {0, 0, -1}) + fmt::format("rays_per_pixel {}\n", rays) +
-                           "reflective 0 0 0 0 0 0 1\nbox -3 -1 -3 -2 1 -2\nmoving_object 5 0 0\n"
-                           "diffuse 0 0 0 1 1 1\nbox -3.001 -1 2 -1.999 1 3\nmoving_object 5 0 0\n";
+                           "reflective 0 0 0 0 0 0 1\nbox -1.5 -1 -3 -0.5 1 -2\nmoving_object 5 0 0\n"
+                           "diffuse 0 0 0 1 1 1\nbox -1.501 -1 2 -0.499 1 3\nmoving_object 5 0 0\n";
   EXPECT_NEAR(color_of(text).x, 0.2, 5 * std::sqrt(0.16 / rays));
 }
 
-// A convex body is never in its own light, however fast it moves: with and without shadows it looks the same to the bit.
+// A convex body is never in its own light, however fast it moves: with and without shadows it looks the same to the
+// bit.
 TEST(Motion, ShadowRaysKeepTheTime) {
   const std::string scene =
       "image_size 40 40\nrays_per_pixel 16\nlight 0.1 0.2 0.3 1 1 1\nmoving_sphere 1 -1.5 0 -5 1.5 0 -5\n"
@@ -109,10 +112,11 @@ TEST(Motion, ShadowRaysKeepTheTime) {
 }
 
 TEST(Motion, TransmittedRaysKeepTheTime) {
-  const std::string text = look({0, 0, 0}, {0, 0, -1}) + fmt::format("rays_per_pixel {}\n", rays) +
-                           "translucent 0 0 0 0 0 0 1 0 0 1 1 0\nbegin\nvertex -3 -1 -2\nvertex -2 -1 -2\nvertex -2 1 -2\n"
-                           "vertex -3 1 -2\nend\nmoving_object 5 0 0\n"
-                           "diffuse 0 0 0 1 1 1\nbox -3.001 -1 -4 -1.999 1 -3\nmoving_object 5 0 0\n";
+  const std::string text =
+      look({0, 0, 0}, {0, 0, -1}) + fmt::format("rays_per_pixel {}\n", rays) +
+      "translucent 0 0 0 0 0 0 1 0 0 1 1 0\nbegin\nvertex -1.5 -1 -2\nvertex -0.5 -1 -2\nvertex -0.5 1 -2\n"
+      "vertex -1.5 1 -2\nend\nmoving_object 5 0 0\n"
+      "diffuse 0 0 0 1 1 1\nbox -1.501 -1 -4 -0.499 1 -3\nmoving_object 5 0 0\n";
   EXPECT_NEAR(color_of(text).x, 0.2, 5 * std::sqrt(0.16 / rays));
 }
 

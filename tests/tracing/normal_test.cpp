@@ -30,10 +30,10 @@ TEST(Normals, OfEllipsoidsUnderEveryKindOfMatrix) {
   const Affine m = translation({0.3, -0.2, -6}) * rotation(35, {1, 2, 3}) * scaling({0.5, 2, 1.2});
   const std::string matrix = "translate 0.3 -0.2 -6\nrotate 35 1 2 3\nscale 0.5 2 1.2\n";
   const std::string cases[] = {
-      matrix + "sphere 1 0 0 0\n",
-      "sphere 1 0 0 0\nnamed_object it\n" + matrix + "instance it\n",
+      matrix + "sphere 1 0 0 0\n", "sphere 1 0 0 0\nnamed_object it\n" + matrix + "instance it\n",
       "begin_list\nsphere 1 0 0 0\nend_list\nnamed_object it\n" + matrix + "instance it\n",
-      "push\nrotate 35 1 2 3\nscale 0.5 2 1.2\nbegin_list\nsphere 1 0 0 0\nsphere 0.01 0 0 0\nend_list\nnamed_object it\npop\n"
+      "push\nrotate 35 1 2 3\nscale 0.5 2 1.2\nbegin_list\nsphere 1 0 0 0\nsphere 0.01 0 0 0\nend_list\nnamed_object "
+      "it\npop\n"
       "translate 0.3 -0.2 -6\ninstance it\n",
       "push\nscale 0.5 2 1.2\nbegin_list\nsphere 1 0 0 0\nsphere 0.01 0 0 0\nend_list\nnamed_object inner\npop\npush\n"
       "rotate 35 1 2 3\nbegin_list\ninstance inner\nsphere 0.01 0 0 0\nend_list\nnamed_object outer\npop\n"
@@ -69,7 +69,8 @@ TEST(Normals, CourseSpheresStayRound) {
   const std::string matrix = "translate 0 0 -6\nscale 2 2 2\n";
   const Picture3 direct = render_text(look({}, {0, 0, -1}) + matrix + "sphere 1 0 0 0\n", settings);
   EXPECT_NEAR(direct.film.depth()[0], 5, 1e-5);
-  const Picture3 instance = render_text(look({}, {0, 0, -1}) + "sphere 1 0 0 0\nnamed_object it\n" + matrix + "instance it\n", settings);
+  const Picture3 instance =
+      render_text(look({}, {0, 0, -1}) + "sphere 1 0 0 0\nnamed_object it\n" + matrix + "instance it\n", settings);
   EXPECT_NEAR(instance.film.depth()[0], 4, 1e-5);
 }
 

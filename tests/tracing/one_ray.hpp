@@ -17,8 +17,8 @@ inline std::string numbers(Vec3 v) { return fmt::format("{:.17g} {:.17g} {:.17g}
 inline std::string look(Vec3 eye, Vec3 direction) {
   const Vec3 w = -normalize(direction);
   const Vec3 u = normalize(std::abs(w.y) < 0.9 ? cross({0, 1, 0}, w) : cross({1, 0, 0}, w));
-  return fmt::format("image_size 1 1\nfov 0.0001\neye {}\nuvw {} {} {}\n", numbers(eye), numbers(u), numbers(cross(w, u)),
-                     numbers(w));
+  return fmt::format("image_size 1 1\nfov 0.0001\neye {}\nuvw {} {} {}\n", numbers(eye), numbers(u),
+                     numbers(cross(w, u)), numbers(w));
 }
 
 inline Vec3 color_of(const std::string& text, const RenderSettings& settings = {}) {
@@ -30,9 +30,8 @@ inline constexpr double environment_radius = 1000;
 // The ball and its lights: a ray that ends on it at the outward normal n sees (sx n.x, sy n.y, sz n.z), each clamped at
 // zero. Needs RenderSettings::shadows = false: the lights are outside.
 inline std::string environment(Vec3 signs) {
-  return fmt::format(
-      "light {} 0 0 1 0 0\nlight 0 {} 0 0 1 0\nlight 0 0 {} 0 0 1\nsurface 1 1 1\nsphere {} 0 0 0\n", signs.x * 1e7,
-      signs.y * 1e7, signs.z * 1e7, environment_radius);
+  return fmt::format("light {} 0 0 1 0 0\nlight 0 {} 0 0 1 0\nlight 0 0 {} 0 0 1\nsurface 1 1 1\nsphere {} 0 0 0\n",
+                     signs.x * 1e7, signs.y * 1e7, signs.z * 1e7, environment_radius);
 }
 
 inline RenderSettings without_shadows() {

@@ -1,6 +1,6 @@
 // The soft shadow of a half plane in the light of a disk: what is left of the disk behind a straight edge is a circular
-// segment. 2^14 independent samples a point and 25 points; limits are 5.5 standard deviations, so that a correct program
-// fails for one seed in a million. The default pattern has to stay within the same limits, and does easily.
+// segment. 2^14 independent samples a point and 25 points; limits are 5.5 standard deviations, so that a correct
+// program fails for one seed in a million. The default pattern has to stay within the same limits, and does easily.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -71,9 +71,10 @@ TEST(Penumbra, SeenInAMirror) {
   RenderSettings settings;
   settings.pattern = Pattern::sobol;
   for (const double x : {-0.9, -0.4, 0.0, 0.5}) {
-    const std::string text = look({x, 2, 0}, {0, 1, 0}) + fmt::format("rays_per_pixel {}\n", rays) + disk +
-                             "surface 1 1 1\nbox -99 -1 -99 99 0 99\nbox -99 4 -99 0 4.001 99\n" +
-                             fmt::format("reflective 0 0 0 0 0 0 1\nbox {} 2.5 -0.00001 {} 2.6 0.00001\n", x - 1e-5, x + 1e-5);
+    const std::string text =
+        look({x, 2, 0}, {0, 1, 0}) + fmt::format("rays_per_pixel {}\n", rays) + disk +
+        "surface 1 1 1\nbox -99 -1 -99 99 0 99\nbox -99 4 -99 0 4.001 99\n" +
+        fmt::format("reflective 0 0 0 0 0 0 1\nbox {} 2.5 -0.00001 {} 2.6 0.00001\n", x - 1e-5, x + 1e-5);
     const double share = visible_share(x);
     EXPECT_NEAR(color_of(text, settings).x, expected_light(x), 5.5 * std::sqrt(share * (1 - share) / rays) + 1e-3);
   }

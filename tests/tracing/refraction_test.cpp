@@ -55,13 +55,13 @@ std::string prism(const std::string& surface, bool outward = true) {
   return text;
 }
 
-// Down through the face z = ... is not needed: the ray enters by y = 0 upward, meets the slanted face at 45 degrees from
-// inside and is turned to -z, where it leaves by the face z = 0.
+// Down through the face z = ... is not needed: the ray enters by y = 0 upward, meets the slanted face at 45 degrees
+// from inside and is turned to -z, where it leaves by the face z = 0.
 TEST(Refraction, TotalReflectionInAPrism) {
   const double reflection = 0.25, transmission = 0.7;
   const std::string surface = fmt::format("shiny 0 0 0 0 0 0 0 0 0 1 {} {} 1.5\n", reflection, transmission);
-  const std::string text = look({0.1, -3, 0.9}, {0, 1, 0}) + "max_depth 3\n" + prism(surface) +
-                           "diffuse 0 0 0 1 1 1\nbox -1 0 -4 1 2 -3\n";
+  const std::string text =
+      look({0.1, -3, 0.9}, {0, 1, 0}) + "max_depth 3\n" + prism(surface) + "diffuse 0 0 0 1 1 1\nbox -1 0 -4 1 2 -3\n";
   const double expected = transmission * (reflection + transmission) * transmission;
   expect_color(color_of(text), Vec3{1, 1, 1} * expected, 1e-5);
   // With an index below the critical one for 45 degrees the card is not seen.

@@ -20,7 +20,8 @@ RenderSettings with_transparent_shadows() {
 
 TEST(Transmission, SheetsOfIndexOneGoStraightOn) {
   const Vec3 direction = normalize({0.5, -2, 0.3});
-  const std::string text = look({0, 5, 0}, direction) + sheet(clear(1), 2) + sheet(clear(1), 1) + environment({1, -1, 1});
+  const std::string text =
+      look({0, 5, 0}, direction) + sheet(clear(1), 2) + sheet(clear(1), 1) + environment({1, -1, 1});
   const Vec3 normal = seen_normal({0, 5, 0}, direction);
   expect_color(color_of(text, without_shadows()), abs(normal), 1e-4);
 }
@@ -73,7 +74,8 @@ TEST(TransparentShadows, ThinSheetLitFromBehindStaysDark) {
 
 TEST(TransparentShadows, GroundInsideGlassIsLitThroughIt) {
   // A floor point inside a big glass ball, the light outside: one surface is crossed.
-  const std::string text = look({0, 1, 0}, {0, -1, 0}) + "light 0 9 0 1 1 1\nsurface 1 1 1\nbox -1 -1 -1 1 0 1\n"
+  const std::string text = look({0, 1, 0}, {0, -1, 0}) +
+                           "light 0 9 0 1 1 1\nsurface 1 1 1\nbox -1 -1 -1 1 0 1\n"
                            "shiny 0 0 0 0 0 0 0 0 0 1 0 0.5 1.5\nsphere 4 0 0 0\n";
   expect_color(color_of(text, with_transparent_shadows()), {0.5, 0.5, 0.5}, 1e-5);
   expect_color(color_of(text), {}, 0);

@@ -1,0 +1,252 @@
+// What must not show in a picture: threads, crops, passes, instruction sets. All of it to the bit, colours and layers.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <numbers>
+
+#include "base/test_scale.hpp"
+#include "rendering/render_text.hpp"
+
+namespace penumbra::test {
+namespace {
+
+// All effects at once.
+std::string scene_text(int rays) {
+  return fmt::format(R"(image_size 53 37
+fov 55
+rays_per_pixel {}
+background 0.2 0.3 0.5
+lens 0.05 5
+light 3 5 2 0.5 0.4 0.3
+disk_light -4 6 0 1.5 0.5 -1 0 0.4 0.5 0.6
+spotlight 0 5 -4 0 -1 0 10 30 0.6 0.6 0.2
+diffuse 0.6 0.6 0.6 0.1 0.1 0.1
+begin
+vertex -20 -1 20
+vertex 20 -1 20
+vertex 0 -1 -40
+end
+glossy 0.4 0.3 0.2 0.5 0.5 0.5 30 0.4 0.2
+sphere 0.9 -1 -0.1 -5
+moving_object 0.5 0.2 0
+translucent 0.1 0.2 0.1 0.4 0.4 0.4 60 0.2 0.1 0.6 1.5 0.05
+push
+translate 1 0 -4.5
+rotate 40 1 2 3
+box -0.5 -0.5 -0.5 0.5 0.5 0.5
+pop
+surface 0.3 0.1 0.1 0.1 0 0 0.8 0.8 0.8 20 0.3
+begin_list
+cylinder 0.3 0 0 -0.5 0.5
+moving_sphere 0.3 0 0.8 0 0.4 0.9 0
+hollow_cylinder 0.4 0.5 0 0 0.7
+end_list
+named_object thing
+push
+translate 0.2 0.8 -5.5
+rotatez 50
+scale 1.2 0.7 1
+instance thing
+moving_object 0 0.3 0
+pop
+translate -1.5 1 -6
+instance thing
+)",
+                     rays);
+}
+
+// A ball of 8192 triangles: enough for Embree.
+std::string mesh_text() {
+  std::string text;
+  const auto vertex = [](int i, int k) {
+    const double a = i * std::numbers::pi / 64, b = k * 2 * std::numbers::pi / 64;
+    return fmt::format("vertex {} {} {}\n", std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
+  };
+  for (int i = 0; i < 64; i++) {
+    for (int k = 0; k < 64; k++) {
+      text += "begin\n" + vertex(i, k) + vertex(i + 1, k) + vertex(i + 1, k + 1) + "end\n";
+      text += "begin\n" + vertex(i, k) + vertex(i + 1, k + 1) + vertex(i, k + 1) + "end\n";
+    }
+  }
+  return text;
+}
+
+const Layers all_layers{true, true, true, true, true};
+
+struct AllValues {
+  std::vector<float> color, depth, normal, albedo, variance;
+  bool operator==(const AllValues&) const = default;
+};
+
+AllValues values_of(const Film& film) {
+  return {film.color(), film.depth(), film.normal(), film.albedo(), film.variance()};
+}
+
+AllValues values_of(const std::string& text, RenderSettings settings) {
+  settings.layers = all_layers;
+  return values_of(render_text(text, settings).film);
+}
+
+TEST(Exactness, ThreadsDoNotShow) {
+  for (const std::string& text : {scene_text(scaled(37, 5)), scene_text(1), scene_text(3) + mesh_text()}) {
+    RenderSettings settings;
+    settings.threads = 1;
+    const AllValues one = values_of(text, settings);
+    for (const int threads : {2, 3, 8}) {
+      settings.threads = threads;
+      EXPECT_TRUE(values_of(text, settings) == one) << threads;
+    }
+  }
+}
+
+TEST(Exactness, CropsAreTheSamePixels) {
+  for (const Pattern pattern : {Pattern::sobol, Pattern::random}) {
+    for (const std::string& text :
+         {scene_text(1), scene_text(3), scene_text(scaled(21, 6)), scene_text(2) + mesh_text()}) {
+      RenderSettings settings;
+      settings.pattern = pattern;
+      const AllValues full = values_of(text, settings);
+      for (const Crop crop :
+           {Crop{0, 0, 53, 37}, Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{1, 35, 52, 36}}) {
+        settings.crop = crop;
+        const AllValues part = values_of(text, settings);
+        const auto same = [&](const std::vector<float>& a, const std::vector<float>& b, int channels) {
+          int different = 0;
+          for (int y = 0; y < crop.height(); y++) {
+            for (int x = 0; x < crop.width(); x++) {
+              const auto i = static_cast<std::size_t>(channels * (y * crop.width() + x));
+              const auto k = static_cast<std::size_t>(channels * ((y + crop.y0) * 53 + x + crop.x0));
+              different += std::memcmp(&a[i], &b[k], static_cast<std::size_t>(channels) * sizeof(float)) != 0;
+            }
+          }
+          EXPECT_EQ(different, 0) << crop.x0 << " " << crop.y0 << " " << crop.x1 << " " << crop.y1;
+        };
+        same(part.color, full.color, 3);
+        same(part.depth, full.depth, 1);
+        same(part.normal, full.normal, 3);
+        same(part.albedo, full.albedo, 3);
+        same(part.variance, full.variance, 3);
+      }
+    }
+  }
+}
+
+TEST(Exactness, PassesDoNotShow) {
+  constexpr std::uint32_t rays = scaled(75, 20);
+  const Scene scene = scene_from(scene_text(rays));
+  for (const Kernel* kernel : usable_kernels()) {
+    for (const Pattern pattern : {Pattern::sobol, Pattern::random}) {
+      RenderSettings settings;
+      settings.pattern = pattern;
+      settings.layers = all_layers;
+      settings.kernel = kernel;
+      const AllValues at_once = values_of(render_scene(scene, settings).film);
+      const Frame frame = frame_from(scene, settings);
+      const Plan plan{{0, 0, scene.width, scene.height}, all_layers, 2};
+      for (const std::vector<std::uint32_t>& cuts :
+           {std::vector<std::uint32_t>{1, 2, 3, 4}, {1}, {16}, {5, 6, 19}, {8, 16, 17}, {rays - 1}}) {
+        Film film(plan.crop, plan.layers);
+        RenderState state;
+        std::uint32_t first = 0;
+        for (const std::uint32_t cut : cuts) {
+          render_samples(film, frame, *kernel, plan, {first, cut}, state);
+          first = cut;
+        }
+        render_samples(film, frame, *kernel, plan, {first, rays}, state);
+        EXPECT_EQ(film.samples(), rays);
+        EXPECT_TRUE(values_of(film) == at_once) << kernel->isa << " first cut " << cuts.front();
+      }
+    }
+  }
+}
+
+TEST(Exactness, InstructionSetsDoNotShow) {
+  for (const int rays : {1, 3, 8, scaled(33, 9)}) {
+    for (const Pattern pattern : {Pattern::sobol, Pattern::random}) {
+      for (const bool transparent_shadows : {false, true}) {
+        RenderSettings settings;
+        settings.pattern = pattern;
+        settings.transparent_shadows = transparent_shadows;
+        settings.kernel = usable_kernels().front();
+        const AllValues first = values_of(scene_text(rays), settings);
+        for (const Kernel* kernel : usable_kernels()) {
+          settings.kernel = kernel;
+          EXPECT_TRUE(values_of(scene_text(rays), settings) == first) << kernel->isa << " " << rays;
+        }
+      }
+    }
+  }
+}
+
+// As many samples as wanted beyond the first 65536 of the table: still the same whatever the passes.
+TEST(Exactness, ManySamples) {
+  constexpr std::uint32_t rays = 65536 + 100;
+  const Scene scene = scene_from("image_size 2 1\nfov 30\nrays_per_pixel " + std::to_string(rays) +
+                                 "\ndisk_light 1 5 0 1 0 1 0 1 1 1\nsphere 1 0.2 0 -4\nbox -9 -9 -9 9 9 -8\n");
+  const AllValues at_once = values_of(render_scene(scene).film);
+  const Frame frame = frame_from(scene);
+  const Plan plan{{0, 0, 2, 1}, {}, 1};
+  Film film(plan.crop, plan.layers);
+  RenderState state;
+  render_samples(film, frame, *usable_kernels().front(), plan, {0, 65500}, state);
+  render_samples(film, frame, *usable_kernels().back(), plan, {65500, 65541}, state);
+  render_samples(film, frame, *usable_kernels().back(), plan, {65541, rays}, state);
+  EXPECT_TRUE(values_of(film) == at_once);
+}
+
+TEST(Exactness, StaticPixelsDoNotSeeTheShutter) {
+  // Only the ball moves, and only in the left half; its shadow stays there too.
+  const std::string scene = R"(image_size 60 40
+rays_per_pixel 7
+light -1 8 1 1 1 1
+disk_light 5 6 0 1 -1 -1 0 0.4 0.4 0.4
+surface 0.5 0.6 0.7
+sphere 1 2 0 -6
+box 1 -2 -7 4 -1 -5
+sphere 0.5 -3 0 -6
+moving_object -1 0 0
+)";
+  const Picture3 open = render_text(scene), closed = render_text("shutter 0 0\n" + scene);
+  int different_left = 0, different_right = 0, seen_right = 0;
+  for (int y = 0; y < 40; y++) {
+    for (int x = 0; x < 60; x++) {
+      const bool differs = !(open.at(x, y) == closed.at(x, y));
+      (x < 30 ? different_left : different_right) += differs;
+      seen_right += x >= 30 && open.at(x, y).x > 0;
+    }
+  }
+  EXPECT_GT(different_left, 10);
+  EXPECT_EQ(different_right, 0);
+  EXPECT_GT(seen_right, 100);
+}
+
+TEST(Exactness, StoppedRendersLeaveTheSampleCount) {
+  const Scene scene = scene_from(scene_text(4));
+  const Frame frame = frame_from(scene);
+  const Plan plan{{0, 0, scene.width, scene.height}, {}, 2};
+  Film film(plan.crop, plan.layers);
+  RenderState state;
+  state.stop = true;
+  render_samples(film, frame, *usable_kernels().back(), plan, {0, 4}, state);
+  EXPECT_EQ(film.samples(), 0u);
+}
+
+TEST(Exactness, ProgressCountsEverySample) {
+  const Scene scene = scene_from(scene_text(5));
+  const Frame frame = frame_from(scene);
+  const Plan plan{{3, 4, 40, 30}, {}, 2};
+  Film film(plan.crop, plan.layers);
+  RenderState state;
+  const RayCounts rays = render_samples(film, frame, *usable_kernels().back(), plan, {0, 5}, state);
+  EXPECT_EQ(state.pixel_samples_done.load(), 37u * 26u * 5u);
+  EXPECT_EQ(rays.camera, 37u * 26u * 5u);
+  EXPECT_EQ(state.rays.load(), rays.total());
+  EXPECT_GT(rays.shadow, 0u);
+  EXPECT_GT(rays.reflection, 0u);
+  EXPECT_GT(rays.transmission, 0u);
+}
+
+}  // namespace
+}  // namespace penumbra::test

@@ -15,6 +15,25 @@ void check(RTCDevice device) {
                                                            : fmt::format("Embree failed with error {}", int(code)));
 }
 
+// Called for each triangle that is at most as far as the nearest so far: turns away one that is as far and named later.
+void settle_tie(const RTCFilterFunctionNArguments* arguments) {
+  auto* tie = reinterpret_cast<TieContext*>(arguments->context);
+  const unsigned n = arguments->N;
+  for (unsigned i = 0; i < n; i++) {
+    if (arguments->valid[i] == 0) continue;
+    const unsigned lane = RTCRayN_id(arguments->ray, n, i);
+    const float distance = RTCRayN_tfar(arguments->ray, n, i);
+    const MeshChunk& chunk = tie->mesh->chunks[RTCHitN_geomID(arguments->hit, n, i)];
+    const std::uint32_t order = chunk.order + RTCHitN_primID(arguments->hit, n, i);
+    if (distance == tie->distance[lane] && order > tie->order[lane]) {
+      arguments->valid[i] = 0;
+    } else {
+      tie->distance[lane] = distance;
+      tie->order[lane] = order;
+    }
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std::span<const TriangleRange> ranges) {
@@ -34,6 +53,7 @@ std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std:
                                store.vertices.size() / 3);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, store.indices.data(),
                                std::size_t{ranges[i].first} * 12, 12, ranges[i].count);
+    rtcSetGeometryIntersectFilterFunction(geometry, settle_tie);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
     rtcReleaseGeometry(geometry);

@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "geometry/embree_mesh.hpp"
 #include "geometry/rays.hpp"
 #include "geometry/triangle_kernel.hpp"
 
@@ -88,8 +89,10 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   store(query.hit.instID[0], invalid);
   alignas(64) std::uint32_t valid[lane_count];
   store(valid, lane_bits(active));
-  RTCIntersectContext context = embree_context(rays);
-  embree_intersect(reinterpret_cast<const int*>(valid), mesh.scene.get(), &context, &query);
+  store(query.ray.id, lane_numbers());
+  TieContext tie{embree_context(rays), &mesh, {}, {}};
+  store(tie.distance, Floats(-1));
+  embree_intersect(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
   const Mask found = active & ~(load(query.hit.geomID) == invalid);
   if (none(found)) return found;
 

@@ -130,8 +130,7 @@ TEST(TieBetweenRooms, FirstNamedWins) {
   }
 }
 
-// Known to fail: inside one Embree scene, Embree chooses.
-TEST(TieBetweenRooms, DISABLED_FirstNamedWinsInsideOneEmbreeScene) {
+TEST(TieBetweenRooms, FirstNamedWinsInsideOneEmbreeScene) {
   SceneMaker maker;
   const Object first = make_mesh(maker);
   maker.add(first);

@@ -31,7 +31,7 @@ std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "?";
   if (seconds < 10) return fmt::format("{:.2f} s", seconds);
   if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-  const auto minutes = static_cast<long>(seconds / 60 + 0.5);
+  const long minutes = std::lround(seconds / 60);
   return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
 

@@ -43,7 +43,7 @@ std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std:
     if (!device_) check(nullptr);
   }
   RTCDevice device = device_.get();
-  const std::shared_ptr<RTCSceneTy> scene(rtcNewScene(device), [keep = device_](RTCScene s) { rtcReleaseScene(s); });
+  std::shared_ptr<RTCSceneTy> scene(rtcNewScene(device), [keep = device_](RTCScene s) { rtcReleaseScene(s); });
   check(device);
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);

@@ -11,8 +11,8 @@
 
 namespace penumbra {
 
-// Embree's context with what is needed to settle ties: the nearest hit so far of each ray, whose id is its lane. An order
-// counts triangles in the order of the file.
+// Embree's context with what is needed to settle ties: the nearest hit so far of each ray, whose id is its lane. An
+// order counts triangles in the order of the file.
 struct TieContext {
   RTCIntersectContext context;  // first, so that Embree's pointer to it is one to all of this
   const Mesh* mesh;

@@ -16,7 +16,8 @@ inline constexpr float distance_margin = 1.0f + 1.0f / (1 << 20);
 
 inline constexpr int traversal_stack_size = 64;
 
-// Which of a node's bounds each axis enters and leaves by, where all rays of a packet agree: it halves the work of a slab.
+// Which of a node's bounds each axis enters and leaves by, where all rays of a packet agree: it halves the work of a
+// slab.
 struct SlabOrder {
   bool agreed = true;
   int enter[3], leave[3];
@@ -34,7 +35,8 @@ struct SlabOrder {
   }
 };
 
-// What a traversal of one group carries along for its rays. Nothing is prepared that a group of few shapes does not need.
+// What a traversal of one group carries along for its rays. Nothing is prepared that a group of few shapes does not
+// need.
 struct GroupRays {
   const World& world;
   const Rays& rays;

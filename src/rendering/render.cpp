@@ -43,7 +43,7 @@ RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, c
       const TileSamples tile = tile_at(film.crop(), index, range);
       const std::uint64_t rays_before = counts.total();
       kernel.render_tile(frame, view, tile, counts);
-      const auto pixels = static_cast<std::uint64_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
+      const auto pixels = std::uint64_t(tile.x1 - tile.x0) * std::uint64_t(tile.y1 - tile.y0);
       state.pixel_samples_done.fetch_add(pixels * (range.end - range.first), std::memory_order_relaxed);
       state.rays.fetch_add(counts.total() - rays_before, std::memory_order_relaxed);
     }
@@ -53,6 +53,7 @@ RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, c
   {
     std::vector<std::jthread> helpers;
     const int helper_count = std::min(plan.threads, tiles) - 1;
+    helpers.reserve(static_cast<std::size_t>(std::max(helper_count, 0)));
     for (int i = 0; i < helper_count; i++) helpers.emplace_back(work);
     work();
   }

@@ -35,7 +35,8 @@ PENUMBRA_INLINE Ints scramble_upward(Ints x, Ints seed) {
 }
 
 // An order of the indices in which every bit depends on the bits above it: aligned blocks of 2^k indices stay together,
-// so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the index.
+// so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the
+// index.
 PENUMBRA_INLINE Ints shuffle(Ints index, Ints seed) { return reverse_bits(scramble_upward(reverse_bits(index), seed)); }
 
 // The second Sobol dimension of an index, bit-reversed on both sides: Pascal's triangle modulo 2 as five butterflies.

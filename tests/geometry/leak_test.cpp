@@ -70,7 +70,7 @@ TEST_P(Leak, NoRayLeavesAClosedMesh) {
         (i % 3 == 0 ? at_corners : at_edges) += !std::isfinite(hits[i].distance) || !blocked[i];
       }
       EXPECT_EQ(at_edges, 0) << mesh.name << " " << kernel->isa;
-      EXPECT_LE(at_corners, world.meshes.empty() ? 0 : count / 10000) << mesh.name << " " << kernel->isa;
+      EXPECT_LE(at_corners, world.meshes.empty() ? 0 : count / 10000 + 2) << mesh.name << " " << kernel->isa;
     }
   }
 }

@@ -79,19 +79,12 @@ int hits_of_others(const Scene& scene, std::uint32_t wanted, std::uint32_t embre
   return others;
 }
 
-// Static meshes of one group share one Embree scene, and Embree names any one of the triangles that are equally near.
-bool shares_embree_scene(const Kind& kind, Held first, Held second) {
-  const auto in_root = [](Held way) { return way == Held::plain || way == Held::group; };
-  return kind.make == make_mesh && in_root(first) && in_root(second);
-}
-
 class Tie : public testing::TestWithParam<Kind> {};
 
 TEST_P(Tie, FirstNamedWins) {
   for (const std::uint32_t threshold : {40u, 0xffffffffu}) {
     for (const Held first_way : all_held) {
       for (const Held second_way : all_held) {
-        if (threshold == 40u && shares_embree_scene(GetParam(), first_way, second_way)) continue;
         SceneMaker maker;
         maker.add(maker.object(Sphere{{9, 9, 9}, 0.1}));
         const Object first = GetParam().make(maker);

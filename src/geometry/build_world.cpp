@@ -72,14 +72,16 @@ void set3(float* out, Vec3 v) {
 }
 
 // The unit normal of a triangle leaf, to the bit as for the triangles of a mesh (geometry/mesh_packet.hpp), so that
-// both rooms agree on what is equally far. Where single precision has no answer, the double one.
+// both rooms agree on what is equally far. Divided, not multiplied by an inverse, the normal of an axis-aligned plane
+// is exactly one axis, and all triangles in the plane are equally far. Where single precision has no answer, the double
+// one.
 void set_normal(float (&data)[12]) {
   const float ux = data[3] - data[0], uy = data[4] - data[1], uz = data[5] - data[2];
   const float vx = data[6] - data[0], vy = data[7] - data[1], vz = data[8] - data[2];
   const float n[3] = {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
-  const float inverse = 1.0f / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  for (int i = 0; i < 3; i++) data[9 + i] = n[i] * inverse;
-  if (std::isnormal(inverse)) return;
+  const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; i++) data[9 + i] = n[i] / size;
+  if (std::isnormal(size)) return;
   const Vec3 a{data[0], data[1], data[2]};
   set3(data + 9, normalize(cross(Vec3{data[3], data[4], data[5]} - a, Vec3{data[6], data[7], data[8]} - a)));
 }

@@ -97,7 +97,9 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   if (none(found)) return found;
 
   const MeshTriangles triangles = triangles_found(world, mesh, query.hit.geomID, query.hit.primID, found);
-  const Float3 normal = normalize(cross(triangles.b - triangles.a, triangles.c - triangles.a));
+  const Float3 across = cross(triangles.b - triangles.a, triangles.c - triangles.a);
+  const Floats size = sqrt(dot(across, across));
+  const Float3 normal{across.x / size, across.y / size, across.z / size};
   const Floats cosine = dot(normal, rays.direction);
   const Floats plane = dot(normal, triangles.a - rays.origin) / cosine;
   const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));

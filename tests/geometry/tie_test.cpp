@@ -157,5 +157,50 @@ TEST(TieBetweenShapes, BoxAndTriangles) {
   }
 }
 
+// Triangles of different size and place in one axis-aligned plane: two as a run, in our tree or in Embree, and one
+// alone.
+TEST(TieBetweenTriangles, OfOneAxisAlignedPlane) {
+  for (int choice = 0; choice < 12; choice++) {
+    const int axis = choice % 3;
+    const bool run_first = choice / 3 % 2 == 0;
+    const std::uint32_t threshold = choice < 6 ? 4096 : 2;
+    SceneMaker maker;
+    const auto in_plane = [&](double u, double v) {
+      Vec3 p;
+      p[axis] = -0.7;
+      p[(axis + 1) % 3] = u;
+      p[(axis + 2) % 3] = v;
+      return p;
+    };
+    const std::uint32_t first = maker.new_surface(), second = maker.new_surface();
+    const auto add_run = [&](std::uint32_t surface) {
+      const std::array corners{in_plane(-2.3, -1.1), in_plane(1.9, -1.7), in_plane(0.1, 2.9),
+                               in_plane(5.1, 5.3),   in_plane(6.1, 5.2),  in_plane(5.7, 6.1)};
+      maker.add({maker.triangles(corners), surface, 0, {}});
+    };
+    const auto add_single = [&](std::uint32_t surface) {
+      maker.add(
+          {maker.triangles(std::array{in_plane(-7.7, -5.3), in_plane(6.1, -6.9), in_plane(0.3, 9.7)}), surface, 0, {}});
+    };
+    run_first ? add_run(first) : add_single(first);
+    maker.add({Sphere{{9, 9, 9}, 0.1}, first, 0, {}});  // between, so that the two do not become one run
+    run_first ? add_single(second) : add_run(second);
+    WorldOptions options;
+    options.embree_threshold = threshold;
+    const World world = build_world(maker.scene(), options);
+    Random random(5);
+    std::vector<ProbeRay> rays;
+    for (int i = 0; i < 3000; i++) {
+      const Vec3 target = in_plane(uniform(random, -0.4, 0.4), uniform(random, -0.9, 0.4));
+      Vec3 origin{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)};
+      origin[axis] = 4;
+      rays.push_back(probe_ray(origin, normalize(target - origin), 0));
+    }
+    int others = 0;
+    for (const ProbeHit& hit : hits_of(*usable_kernels().back(), world, rays)) others += hit.surface != first;
+    EXPECT_EQ(others, 0) << "axis " << axis << ", run first " << run_first << ", threshold " << threshold;
+  }
+}
+
 }  // namespace
 }  // namespace penumbra::test

@@ -179,8 +179,7 @@ TEST(TieBetweenTriangles, OfOneAxisAlignedPlane) {
       maker.add({maker.triangles(corners), surface, 0, {}});
     };
     const auto add_single = [&](std::uint32_t surface) {
-      maker.add(
-          {maker.triangles(std::array{in_plane(-7.7, -5.3), in_plane(6.1, -6.9), in_plane(0.3, 9.7)}), surface, 0, {}});
+      maker.add({maker.triangles(std::array{in_plane(-20, -2), in_plane(21, -2), in_plane(0, 10)}), surface, 0, {}});
     };
     run_first ? add_run(first) : add_single(first);
     maker.add({Sphere{{9, 9, 9}, 0.1}, first, 0, {}});  // between, so that the two do not become one run

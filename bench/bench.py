@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
 and AVX-512 are at hand), rays per second of the project's own scenes, and the speed of reading. What is compared is run
-in turn in the same session; a table shows medians and the median of the ratios of each turn."""
+in turn in the same run; a table shows medians and the median of the ratios of each turn."""
 
 import argparse
 import json

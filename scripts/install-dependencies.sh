@@ -6,7 +6,7 @@ set -euo pipefail
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev libcli11-dev
                 libfmt-dev nlohmann-json3-dev)
 test_packages=(libgtest-dev openimageio-tools)
-lint_packages=(clang clang-format clang-tidy clang-tools libclang-rt-dev)
+lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 
 case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;

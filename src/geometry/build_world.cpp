@@ -317,25 +317,27 @@ class WorldBuilder {
     }
   }
 
-  // Joins the static runs that follow each other; long ones go to Embree together, the rest to our BVH.
+  // Joins the small static runs that follow each other; what is long then goes to Embree, the rest to our BVH. A long
+  // run is an Embree scene of its own: at equal distance Embree's rounding would decide inside one scene, we do between
+  // two.
   void deal_triangles(GroupParts& parts) {
-    std::vector<GroupParts::Run> large;
+    const auto is_long = [&](std::uint64_t count) { return count >= options_.embree_threshold; };
     for (std::size_t begin = 0; begin < parts.runs.size();) {
       std::size_t end = begin + 1;
       std::uint64_t count = parts.runs[begin].range.count;
-      while (end < parts.runs.size() && follows(parts.runs[end - 1], parts.runs[end])) {
+      while (!is_long(parts.runs[end - 1].range.count) && end < parts.runs.size() &&
+             !is_long(parts.runs[end].range.count) && follows(parts.runs[end - 1], parts.runs[end])) {
         count += parts.runs[end++].range.count;
       }
-      for (std::size_t i = begin; i < end; i++) {
-        if (count >= options_.embree_threshold) {
-          large.push_back(parts.runs[i]);
-        } else {
-          add_single_triangles(parts, parts.runs[i], {});
-        }
+      const std::vector<GroupParts::Run> joined(parts.runs.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                parts.runs.begin() + static_cast<std::ptrdiff_t>(end));
+      if (is_long(count)) {
+        add_mesh(parts, joined, {});
+      } else {
+        for (const GroupParts::Run& run : joined) add_single_triangles(parts, run, {});
       }
       begin = end;
     }
-    if (!large.empty()) add_mesh(parts, large, {});
   }
 
   static bool follows(const GroupParts::Run& a, const GroupParts::Run& b) {

@@ -70,7 +70,7 @@ struct MeshChunk {
   std::vector<std::uint32_t> surfaces;  // one for each triangle, where they differ
 };
 
-// One Embree scene: the large static triangle runs of one group; Embree's geometry k is chunk k.
+// One Embree scene: a long run of static triangles; Embree's geometry k is chunk k.
 struct Mesh {
   std::shared_ptr<RTCSceneTy> scene;
   std::vector<MeshChunk> chunks;

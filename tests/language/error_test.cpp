@@ -139,8 +139,21 @@ TEST(Errors, aboutTheCamera) {
       {"sampler halton",
        "s.cli:1:9: error: the sampler `halton` is not there yet; there are `random` and `sobol`\n"
        "  sampler halton\n          ^~~~~~\n"},
-      {"camera_lens .05 2 3",
-       "s.cli:1:1: error: `camera_lens` is not there yet\n  camera_lens .05 2 3\n  ^~~~~~~~~~~\n"},
+      {"camera_lens 0 2 3",
+       "s.cli:1:13: error: `F` of `camera_lens` has to be greater than 0; found `0`\n  camera_lens 0 2 3\n"
+       "              ^\n"},
+      {"camera_lens .05 -2 3",
+       "s.cli:1:17: error: `n` of `camera_lens` has to be greater than 0; found `-2`\n  camera_lens .05 -2 3\n"
+       "                  ^~\n"},
+      {"camera_lens .05 2 .05",
+       "s.cli:1:19: error: `P` of `camera_lens` has to be greater than `F`; found `.05`\n"
+       "  camera_lens .05 2 .05\n                    ^~~\n"},
+      {"camera_lens .05 2 -3",
+       "s.cli:1:19: error: `P` of `camera_lens` has to be greater than `F`; found `-3`\n"
+       "  camera_lens .05 2 -3\n                    ^~\n"},
+      {"camera_lens 1e20 1e-20 1e30",
+       "s.cli:1:18: error: the aperture F/n of `camera_lens` is too large\n"
+       "  camera_lens 1e20 1e-20 1e30\n                   ^~~~~\n"},
       {"reflection_rays 4",
        "s.cli:1:17: error: `reflection_rays` other than 1 is not there yet\n  reflection_rays 4\n                  "
        "^\n"},

@@ -140,6 +140,7 @@ TEST(Exactness, PassesDoNotShow) {
     for (const Pattern pattern : {Pattern::sobol, Pattern::random}) {
       RenderSettings settings;
       settings.pattern = pattern;
+      settings.lens_model = pattern == Pattern::random ? LensModel::cone : LensModel::thin;
       settings.layers = all_layers;
       settings.kernel = kernel;
       const AllValues at_once = values_of(render_scene(scene, settings).film);
@@ -176,6 +177,21 @@ TEST(Exactness, InstructionSetsDoNotShow) {
           EXPECT_TRUE(values_of(scene_text(rays), settings) == first) << kernel->isa << " " << rays;
         }
       }
+    }
+  }
+}
+
+// The rays that aim the rays of a cone lens too.
+TEST(Exactness, NothingShowsWithAConeLens) {
+  for (const std::string& text : {scene_text(1), scene_text(scaled(19, 5)), scene_text(3) + mesh_text()}) {
+    RenderSettings settings;
+    settings.lens_model = LensModel::cone;
+    settings.kernel = usable_kernels().front();
+    const AllValues first = values_of(text, settings);
+    settings.threads = 3;
+    for (const Kernel* kernel : usable_kernels()) {
+      settings.kernel = kernel;
+      EXPECT_TRUE(values_of(text, settings) == first) << kernel->isa;
     }
   }
 }

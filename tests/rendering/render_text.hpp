@@ -17,6 +17,7 @@ struct RenderSettings {
   bool course = false;
   bool shadows = true;
   bool transparent_shadows = false;
+  LensModel lens_model = LensModel::thin;
   Pattern pattern = default_pattern;
   Layers layers = {};
   int threads = 2;
@@ -46,6 +47,7 @@ inline Frame frame_from(const Scene& scene, const RenderSettings& settings = {})
   options.course = settings.course;
   options.shadows = settings.shadows;
   options.transparent_shadows = settings.transparent_shadows;
+  options.lens_model = settings.lens_model;
   return make_frame(scene, options, settings.threads);
 }
 

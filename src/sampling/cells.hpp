@@ -1,0 +1,44 @@
+// Counts of points in cells of equal area. The lecture on jittered samples says that they "may leave large areas
+// uncovered" and "may have some areas with more samples than necessary": that is the emptiest and the fullest cell.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sampling/plane_point.hpp"
+
+namespace penumbra {
+
+// n cells of area 1/n: round(sqrt(n)) rows, each as high as its share of the cells. With a square number of points that
+// is the grid of squares.
+class EqualCells {
+ public:
+  explicit EqualCells(std::size_t n) : n_(n), rows_(row_count(n)) {}
+
+  std::size_t size() const { return n_; }
+  std::size_t rows() const { return rows_; }
+  std::size_t first_of_row(std::size_t row) const { return row * n_ / rows_; }
+  std::size_t columns(std::size_t row) const { return first_of_row(row + 1) - first_of_row(row); }
+  // Where a row begins; the end of the last is 1.
+  double top_of_row(std::size_t row) const { return static_cast<double>(first_of_row(row)) / static_cast<double>(n_); }
+  std::size_t cell_of(const PlanePoint& point) const;
+
+ private:
+  static std::size_t row_count(std::size_t n);
+
+  std::size_t n_, rows_;
+};
+
+struct CellCounts {
+  int fullest = 0, emptiest = 0;  // points in them
+  int empty = 0;                  // cells without a point
+};
+
+// n points in n equal cells.
+CellCounts count_in_cells(std::span<const PlanePoint> points);
+
+// n numbers of [0, 1) in n equal intervals.
+CellCounts count_in_intervals(std::span<const double> values);
+
+}  // namespace penumbra

@@ -1,0 +1,23 @@
+#include "app/pattern_points.hpp"
+
+namespace penumbra {
+
+const Frame& PatternPoints::frame_for(std::size_t count) {
+  const auto found = frames_.find(count);
+  if (found != frames_.end()) return found->second;
+  TracingOptions options;
+  options.pattern = pattern_;
+  options.seed = seed_;
+  options.rays_per_pixel = static_cast<int>(count);
+  return frames_.emplace(count, make_frame(Scene{}, options, 1)).first->second;
+}
+
+std::vector<PlanePoint> PatternPoints::points(std::size_t count, int x, int y) {
+  std::vector<float> u(count), v(count);
+  kernel_.sample_points(frame_for(count), x, y, dimensions_.first, dimensions_.joint, u, v);
+  std::vector<PlanePoint> result(count);
+  for (std::size_t i = 0; i < count; i++) result[i] = {u[i], v[i]};
+  return result;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,46 @@
+// The points of a pattern as a render draws them, for the figures of `penumbra samples`.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "sampling/plane_point.hpp"
+#include "tracing/kernel.hpp"
+
+namespace penumbra {
+
+// Two dimensions of a sample: a joint one and the next, or the padded pair of that name.
+struct DimensionPair {
+  std::string_view name;
+  std::uint32_t first;
+  bool joint;
+};
+
+// The padded pairs are named by hashes (see Sampler::pair); one of them stands for all.
+inline constexpr DimensionPair dimension_pairs[] = {{"pixel", pixel_x, true},
+                                                    {"lens", lens_radius, true},
+                                                    {"light", first_light_radius, true},
+                                                    {"gloss", 0x2c1b3c6du, false}};
+
+class PatternPoints {
+ public:
+  PatternPoints(const Kernel& kernel, Pattern pattern, std::uint32_t seed, const DimensionPair& dimensions)
+      : kernel_(kernel), pattern_(pattern), seed_(seed), dimensions_(dimensions) {}
+
+  // The points of one pixel that has `count` samples.
+  std::vector<PlanePoint> points(std::size_t count, int x, int y);
+
+ private:
+  // What a render with `count` rays a pixel would use, made once.
+  const Frame& frame_for(std::size_t count);
+
+  const Kernel& kernel_;
+  Pattern pattern_;
+  std::uint32_t seed_;
+  DimensionPair dimensions_;
+  std::map<std::size_t, Frame> frames_;
+};
+
+}  // namespace penumbra

@@ -14,7 +14,8 @@ const Frame& PatternPoints::frame_for(std::size_t count) {
 
 std::vector<PlanePoint> PatternPoints::points(std::size_t count, int x, int y) {
   std::vector<float> u(count), v(count);
-  kernel_.sample_points(frame_for(count), x, y, dimensions_.first, dimensions_.joint, u, v);
+  const bool joint = dimensions_.first < joint_dimension_count;
+  kernel_.sample_points(frame_for(count), x, y, dimensions_.first, joint, u, v);
   std::vector<PlanePoint> result(count);
   for (std::size_t i = 0; i < count; i++) result[i] = {u[i], v[i]};
   return result;

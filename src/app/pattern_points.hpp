@@ -11,18 +11,15 @@
 
 namespace penumbra {
 
-// Two dimensions of a sample: a joint one and the next, or the padded pair of that name.
+// Two dimensions of a sample: one of the eye ray's and the next, or a later pair, which has a hash for a name (see
+// Sampler::pair); one later pair stands for all.
 struct DimensionPair {
   std::string_view name;
   std::uint32_t first;
-  bool joint;
 };
 
-// The padded pairs are named by hashes (see Sampler::pair); one of them stands for all.
-inline constexpr DimensionPair dimension_pairs[] = {{"pixel", pixel_x, true},
-                                                    {"lens", lens_radius, true},
-                                                    {"light", first_light_radius, true},
-                                                    {"gloss", 0x2c1b3c6du, false}};
+inline constexpr DimensionPair dimension_pairs[] = {
+    {"pixel", pixel_x}, {"lens", lens_radius}, {"light", first_light_radius}, {"gloss", 0x2c1b3c6du}};
 
 class PatternPoints {
  public:

@@ -18,14 +18,16 @@ CellCounts summary(const std::vector<int>& counts) {
 
 }  // namespace
 
-std::size_t EqualCells::row_count(std::size_t n) {
-  return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
-}
+EqualCells::EqualCells(std::size_t n)
+    : n_(n),
+      rows_(static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))))),
+      columns_(n / rows_),
+      long_rows_(n % rows_) {}
 
 std::size_t EqualCells::cell_of(const PlanePoint& point) const {
   // The rows begin at whole multiples of 1/n, so the interval of y tells the row.
   const std::size_t interval = part_of(point.y, n_);
-  std::size_t row = interval * rows_ / n_;
+  std::size_t row = interval / (columns_ + 1);
   while (first_of_row(row + 1) <= interval) row++;
   return first_of_row(row) + part_of(point.x, columns(row));
 }

@@ -2,6 +2,7 @@
 // uncovered" and "may have some areas with more samples than necessary": that is the emptiest and the fullest cell.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,24 +11,24 @@
 
 namespace penumbra {
 
-// n cells of area 1/n: round(sqrt(n)) rows, each as high as its share of the cells. With a square number of points that
-// is the grid of squares.
+// n cells of area 1/n: round(sqrt(n)) rows; the first, as many as the remainder, have one cell more than the others and
+// are higher by as much. With a square number of points that is the grid of squares.
 class EqualCells {
  public:
-  explicit EqualCells(std::size_t n) : n_(n), rows_(row_count(n)) {}
+  explicit EqualCells(std::size_t n);
 
   std::size_t size() const { return n_; }
   std::size_t rows() const { return rows_; }
-  std::size_t first_of_row(std::size_t row) const { return row * n_ / rows_; }
+  std::size_t first_of_row(std::size_t row) const { return row * columns_ + std::min(row, long_rows_); }
   std::size_t columns(std::size_t row) const { return first_of_row(row + 1) - first_of_row(row); }
   // Where a row begins; the end of the last is 1.
   double top_of_row(std::size_t row) const { return static_cast<double>(first_of_row(row)) / static_cast<double>(n_); }
   std::size_t cell_of(const PlanePoint& point) const;
 
  private:
-  static std::size_t row_count(std::size_t n);
-
   std::size_t n_, rows_;
+  std::size_t columns_;    // of a short row
+  std::size_t long_rows_;  // rows with one cell more
 };
 
 struct CellCounts {

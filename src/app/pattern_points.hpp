@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sampling/plane_point.hpp"
@@ -23,21 +24,20 @@ inline constexpr DimensionPair dimension_pairs[] = {
 
 class PatternPoints {
  public:
-  PatternPoints(const Kernel& kernel, Pattern pattern, std::uint32_t seed, const DimensionPair& dimensions)
-      : kernel_(kernel), pattern_(pattern), seed_(seed), dimensions_(dimensions) {}
+  PatternPoints(const Kernel& kernel, Pattern pattern, const DimensionPair& dimensions)
+      : kernel_(kernel), pattern_(pattern), dimensions_(dimensions) {}
 
   // The points of one pixel that has `count` samples.
-  std::vector<PlanePoint> points(std::size_t count, int x, int y);
+  std::vector<PlanePoint> points(std::size_t count, std::uint32_t seed, int x, int y);
 
  private:
   // What a render with `count` rays a pixel would use, made once.
-  const Frame& frame_for(std::size_t count);
+  const Frame& frame_for(std::size_t count, std::uint32_t seed);
 
   const Kernel& kernel_;
   Pattern pattern_;
-  std::uint32_t seed_;
   DimensionPair dimensions_;
-  std::map<std::size_t, Frame> frames_;
+  std::map<std::pair<std::size_t, std::uint32_t>, Frame> frames_;
 };
 
 }  // namespace penumbra

@@ -29,8 +29,8 @@ constexpr int exit_software = 70;
 constexpr int most_points = 1 << 16;
 constexpr int last_pixel = 65535;
 constexpr std::size_t most_for_star_discrepancy = 1 << 14;  // beyond, O(n^2) takes seconds
-constexpr int replicates = 1024;                            // pixels for the slopes
-constexpr int most_realizations = 64;                       // pixels for the spectrum
+constexpr int replicates = 1024;                            // for the slopes
+constexpr int most_realizations = 64;                       // for the spectrum
 constexpr double spectrum_work = 2.2e9;                     // points times frequencies, about a second
 
 struct Figures {
@@ -60,13 +60,16 @@ Figures figures_of(const std::vector<PlanePoint>& points) {
   return figures;
 }
 
-// Pixel number `number` of a block of pixels that begins with the one asked for.
-std::vector<PlanePoint> points_nearby(PatternPoints& source, const SamplesOptions& options, std::size_t count,
-                                      int number) {
-  return source.points(count, options.pixel_x + number % 16, options.pixel_y + number / 16);
+// Realization number `number`: the first is the one asked for, the others are pixels to its right and below, and other
+// seeds in turn, for what is a table for all pixels is the same in all of them.
+std::vector<PlanePoint> realization(PatternPoints& source, const SamplesOptions& options, std::size_t count,
+                                    int number) {
+  const int seed = number % 8, pixel = number / 8;
+  return source.points(count, options.seed + static_cast<std::uint32_t>(seed), options.pixel_x + pixel % 16,
+                       options.pixel_y + pixel / 16);
 }
 
-// Up to frequency 4 sqrt(n), over 64 pixels; with more than 1500 points over fewer, with more
+// Up to frequency 4 sqrt(n), over 64 realizations; with more than 1500 points over fewer, with more
 // than 11000 up to lower frequencies.
 Spectrum spectrum_of(PatternPoints& source, const SamplesOptions& options) {
   const double n = options.n;
@@ -75,7 +78,7 @@ Spectrum spectrum_of(PatternPoints& source, const SamplesOptions& options) {
   const int realizations = std::clamp(static_cast<int>(spectrum_work / work), 1, most_realizations);
   Spectrum spectrum(static_cast<int>(highest));
   for (int i = 0; i < realizations; i++) {
-    spectrum.add(points_nearby(source, options, static_cast<std::size_t>(options.n), i));
+    spectrum.add(realization(source, options, static_cast<std::size_t>(options.n), i));
   }
   return spectrum;
 }
@@ -238,11 +241,11 @@ int samples_command(const SamplesOptions& options) {
   const DimensionPair* const dimensions =
       std::find_if(std::begin(dimension_pairs), std::end(dimension_pairs),
                    [&](const DimensionPair& pair) { return pair.name == options.dimensions; });
-  PatternPoints source(*usable_kernels().back(), options.sampler, options.seed, *dimensions);
-  const std::vector<PlanePoint> points = points_nearby(source, options, static_cast<std::size_t>(options.n), 0);
+  PatternPoints source(*usable_kernels().back(), options.sampler, *dimensions);
+  const std::vector<PlanePoint> points = realization(source, options, static_cast<std::size_t>(options.n), 0);
   Figures figures = figures_of(points);
   figures.slopes = measure_convergence(
-      [&](std::size_t count, int replicate) { return points_nearby(source, options, count, replicate); }, replicates);
+      [&](std::size_t count, int replicate) { return realization(source, options, count, replicate); }, replicates);
   std::optional<Spectrum> spectrum;
   if (options.json || !options.output.empty()) spectrum = spectrum_of(source, options);
   if (!options.output.empty()) {

@@ -14,6 +14,9 @@ enum class Pattern : std::uint8_t { random, sobol };
 inline constexpr std::string_view pattern_names[] = {"random", "sobol"};
 inline constexpr Pattern default_pattern = Pattern::sobol;
 
+// Whether the points depend on how many there will be, so that a pixel cannot go on to more later.
+constexpr bool needs_count(Pattern) { return false; }
+
 // The pattern of that name, or nothing.
 std::optional<Pattern> pattern_from_name(std::string_view name);
 

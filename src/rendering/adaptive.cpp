@@ -23,12 +23,12 @@ namespace {
 constexpr int tile_size = noise_tile_size;
 
 // The variance of single samples in a pixel of ordinary noise.
-constexpr float ordinary_variance = 0.01f;
+constexpr float ordinary_variance = 0.02f;
 
-// Samples of the first round, times the goal: the error of a pixel in which they all miss something bright, as far as
-// one that covers a few times 1 / samples of it is likely missed.
+// Samples of the first round, times the goal. Something bright that they all miss covers some 1 / samples of its pixel,
+// and is an error of as much.
 constexpr float first_samples_times_goal = 0.15f;
-constexpr int fewest_first_level = 3, most_first_level = 8;
+constexpr int fewest_first_level = 4, most_first_level = 8;
 
 // Below this many samples a half is not rendered in two parts: packets would not be filled.
 constexpr std::uint32_t fewest_samples_in_parts = 32;

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <memory>
+#include <map>
 
 #include "base/test_scale.hpp"
 #include "sampling/integrands.hpp"
@@ -24,24 +24,22 @@ namespace {
 // Sets of `count` points, each with a number of its own.
 using Generator = std::function<Points(std::uint32_t count, int number)>;
 
-// The sets of pixels, for several seeds: some patterns have a table for each seed.
+// Some patterns have a table for each seed.
+constexpr int seeds = 16;
+const std::vector<Frame>& frames_of(Pattern pattern, std::uint32_t count) {
+  static std::map<std::pair<Pattern, std::uint32_t>, std::vector<Frame>> made;
+  std::vector<Frame>& frames = made[{pattern, count}];
+  for (auto seed = static_cast<std::uint32_t>(frames.size()); seed < seeds; seed++) {
+    frames.push_back(sampling_frame(pattern, count, seed + 100));
+  }
+  return frames;
+}
+
 Generator points_of_pattern(Pattern pattern, Dimensions dimensions) {
-  struct Cache {
-    std::uint32_t count = 0;
-    std::vector<Frame> frames;
-  };
-  return [pattern, dimensions, cache = std::make_shared<Cache>()](std::uint32_t count, int number) {
-    constexpr int seeds = 16;
-    if (cache->count != count) {
-      cache->count = count;
-      cache->frames.clear();
-      for (std::uint32_t seed = 0; seed < seeds; seed++) {
-        cache->frames.push_back(sampling_frame(pattern, count, seed + 100));
-      }
-    }
+  return [pattern, dimensions](std::uint32_t count, int number) {
     const int pixel = number / seeds;
-    return points_of(cache->frames[static_cast<std::size_t>(number % seeds)], pixel % 64, pixel / 64, dimensions,
-                     count);
+    const Frame& frame = frames_of(pattern, count)[static_cast<std::size_t>(number % seeds)];
+    return points_of(frame, pixel % 64, pixel / 64, dimensions, count);
   };
 }
 
@@ -122,7 +120,7 @@ TEST_P(Convergence, ErrorFallsAsFastAsTheorySays) {
   for (const Dimensions dimensions : measured) {
     const Generator generator = points_of_pattern(GetParam(), dimensions);
     if (GetParam() == Pattern::random) {
-      const double smooth = slope(generator, bumps(), random_sets), edge = slope(generator, edges(), slope_sets / 2);
+      const double smooth = slope(generator, bumps(), random_sets), edge = slope(generator, edges(), random_sets / 2);
       RecordProperty("slopes_" + std::to_string(dimensions.first), std::to_string(smooth) + " " + std::to_string(edge));
       EXPECT_NEAR(smooth, -1, 0.05) << dimensions.first;
       EXPECT_NEAR(edge, -1, 0.05) << dimensions.first;

@@ -78,9 +78,9 @@ TEST(NetCheck, NoticesWhatIsNoNet) {
   const Frame frame = sampling_frame(Pattern::sobol, 64, 1);
   const Points net = points_of(frame, 3, 2, {pixel_x}, 64);
   EXPECT_TRUE(is_net_throughout(net));
-  // The right numbers, but of other points.
+  // The right numbers, but two of them swapped.
   Points other = net;
-  std::rotate(other.u.begin(), other.u.begin() + 1, other.u.end());
+  std::swap(other.u[0], other.u[1]);
   EXPECT_TRUE(is_net(other, 6, 6) && is_net(other, 6, 0));
   EXPECT_FALSE(is_net_throughout(other));
   other = net;

@@ -81,16 +81,6 @@ TEST(Strata, LaterPassesAreStratifiedToo) {
   }
 }
 
-TEST(Poisson, TimesAreNeitherNearNorFar) {
-  if (is_placeholder(Pattern::poisson)) GTEST_SKIP() << "poisson is a placeholder";
-  for (const std::uint32_t count : counts) {
-    const Frame frame = sampling_frame(Pattern::poisson, count, 5);
-    for (const auto& [x, y] : pixels) {
-      EXPECT_TRUE(evenly_spaced(points_of(frame, x, y, time_dimension, count).u)) << count;
-    }
-  }
-}
-
 // Any run of 2^a 3^b points, wherever it begins.
 TEST(Halton, PlacesInThePixelFillElementaryIntervals) {
   constexpr std::size_t length = 2000;

@@ -42,7 +42,7 @@ TEST_P(Uniformity, OfSinglePointsOverSeeds) {
     int seeds;
   };
   constexpr Dimensions padded{0x2c1b3c6du};
-  constexpr int many = scaled(1 << 20, 1 << 14), some = scaled(1 << 17, 1 << 13);
+  constexpr int many = scaled(1 << 20, 1 << 14), some = scaled(1 << 16, 1 << 13);
   const Set sets[] = {
       {50, {0, 3}, {pixel_x}, many},      {50, {0, 3}, padded, many},         {50, {0, 49}, {pixel_x}, some},
       {50, {0, 49}, padded, some},        {50, {0, 15}, {lens_radius}, some}, {50, {0, 15}, {first_light_radius}, some},

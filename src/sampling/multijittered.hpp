@@ -1,6 +1,8 @@
 // `multijittered`: one point in each of `count` cells, as jittered ones, and also one in each of `count` columns and
 // `count` rows (Chiu, Shirley, Wang 1994); all rows of cells share one order within their columns and all columns one
-// within their rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013).
+// within their rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013). That is a
+// third less variance at edges than orders of their own would give, for more of it in smooth functions (N^-3/2 instead
+// of N^-2).
 //
 // Where some rows of cells are longer (strata.hpp), the columns are dealt out to the long and the short rows as evenly
 // as whole columns can be, from a random start: then every point is in a column that its cell has a part of, and a

@@ -2,8 +2,8 @@
 // ones. What theory says of the variance of N points in the plane, for smooth functions and for edges:
 //   random         N^-1    N^-1
 //   jittered       N^-2    N^-3/2   as on the lecture's pages: one point in each cell
-//   multijittered  N^-3/2  N^-3/2   below jittered up to about 500 points; then the orders that cells share cost more
-//                                   than columns and rows save, except for sums of functions of u and of v (N^-3)
+//   multijittered  N^-3/2  N^-3/2   for edges always below jittered, for smooth functions up to about 100 points;
+//                                   then the orders that cells share cost more than columns and rows save
 //   poisson        between N^-1 and N^-3/2: low frequencies are weaker than in random points, but they are there
 //   halton         N^-2    N^-3/2   between the counts 2^a 3^b
 //   sobol          N^-3    N^-3/2   but for powers of log N (Owen 1997)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "app/lens_table.hpp"
+
 namespace penumbra {
 namespace {
 
@@ -103,13 +105,17 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   row("size", fmt::format("{} x {}", scene.width, scene.height));
   row("rays", fmt::format("{} per pixel, depth {}, sampler {}, seed {}", scene.rays_per_pixel, scene.max_depth,
                           scene.sampler.empty() ? "by default" : scene.sampler, scene.seed));
+  if (std::max({scene.reflection_rays, scene.transmission_rays, scene.shadow_rays}) > 1) {
+    row("first hits", fmt::format("{} reflection, {} transmission and {} shadow rays", scene.reflection_rays,
+                                  scene.transmission_rays, scene.shadow_rays));
+  }
   row("camera", describe_camera(scene.camera));
   row("background", triple(scene.background));
   row("lights", describe_lights(scene));
   row("objects", describe_objects(scene, counts));
   row("surfaces", fmt::format("{}", scene.surfaces.size()));
   if (!picture.rects.empty()) row("painted", plural(picture.rects.size(), "rectangle", "rectangles"));
-  return text;
+  return text + lens_table(scene);
 }
 
 }  // namespace

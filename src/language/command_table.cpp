@@ -75,9 +75,11 @@ constexpr std::array table{
     Command{"lens", camera, takes({light_radius, number("dist")}),
             "a thin lens of that radius round the eye, with the plane at that distance in focus; radius 0: a pinhole",
             actions::lens},
-    Command{"camera_lens", camera, takes({number("F"), number("n"), number("P")}),
-            "a lens by focal length, f-number and distance of the plane in focus; not there yet",
-            actions::not_there_yet},
+    Command{
+        "camera_lens", camera, takes({above_zero("F"), above_zero("n"), number("P")}),
+        "a lens of focal length F and aperture F/n, with the plane at distance P, more than F, in focus (the later of "
+        "this and `lens` counts)",
+        actions::camera_lens},
     Command{"shutter", camera, takes({number("open"), number("close")}),
             "the time during which the shutter is open; 0 1", actions::shutter},
 
@@ -124,9 +126,11 @@ constexpr std::array table{
             "as `glossy`, and light comes through, blurred by blur_radius", actions::translucent},
     Command{"noise", surfaces, takes({number("scale")}), "solid noise in grey instead of the diffuse colour",
             actions::noise},
-    Command{"wood", surfaces, none, "solid wood; drawn as the plain colour for the time being", actions::wood},
-    Command{"marble", surfaces, none, "solid marble; drawn as the plain colour for the time being", actions::marble},
-    Command{"stone", surfaces, none, "solid stone; drawn as the plain colour for the time being", actions::stone},
+    Command{"wood", surfaces, none, "solid wood instead of the diffuse colour, with its rings round the x axis",
+            actions::wood},
+    Command{"marble", surfaces, none, "solid marble in grey instead of the diffuse colour", actions::marble},
+    Command{"stone", surfaces, none, "solid coloured stones in grey mortar instead of the diffuse colour",
+            actions::stone},
 
     Command{"begin", shapes, none, "starts a triangle or a convex polygon", actions::begin},
     Command{"vertex", shapes, takes({x, y, z}), "one corner of it", actions::vertex},

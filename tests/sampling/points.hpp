@@ -1,7 +1,6 @@
 // Sample points as the packets draw them.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,13 +14,6 @@ inline constexpr Pattern all_patterns[] = {Pattern::regular, Pattern::random, Pa
 inline constexpr std::size_t pattern_count = std::size(all_patterns);
 
 inline std::string name_of(Pattern pattern) { return std::string(pattern_names[static_cast<int>(pattern)]); }
-
-// PLACEHOLDERS: patterns whose file still draws random points. Tests skip what only the final points can pass; empty
-// the list when the files are there.
-inline constexpr Pattern placeholders[] = {Pattern::bluenoise};
-inline bool is_placeholder(Pattern pattern) {
-  return std::find(std::begin(placeholders), std::end(placeholders), pattern) != std::end(placeholders);
-}
 
 // All that a frame needs for sample points.
 inline Frame sampling_frame(Pattern pattern, std::uint32_t count, std::uint32_t seed = 0) {

@@ -61,8 +61,7 @@ PENUMBRA_INLINE Ints bluenoise_mask_at(Ints column, Ints row, std::uint32_t name
 }
 
 // Two dimensions of the sample of a pixel.
-inline Pair bluenoise_pair(const SobolTable&, Ints column, Ints row, Ints index, std::uint32_t dimension,
-                           std::uint32_t seed) {
+inline Pair bluenoise_pair(Ints column, Ints row, Ints index, std::uint32_t dimension, std::uint32_t seed) {
   const std::uint32_t name = hash(hash(seed, 0x2f0b4c47u), dimension);
   const Ints key = hash(hash(column, row), Ints(name));
   const Ints mask = bluenoise_mask_at(column, row, name);
@@ -74,8 +73,7 @@ inline Pair bluenoise_pair(const SobolTable&, Ints column, Ints row, Ints index,
 }
 
 // One dimension.
-inline Floats bluenoise_single(const SobolTable&, Ints column, Ints row, Ints index, std::uint32_t dimension,
-                               std::uint32_t seed) {
+inline Floats bluenoise_single(Ints column, Ints row, Ints index, std::uint32_t dimension, std::uint32_t seed) {
   const std::uint32_t name = hash(hash(seed, 0x5cb8b4f1u), dimension);
   const Ints key = hash(hash(column, row), Ints(name));
   const Ints mask = bluenoise_mask_at(column, row, name);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "base/hash.hpp"
 
@@ -44,14 +45,23 @@ Directions direction_numbers(std::uint32_t dimension) {
   return v;
 }
 
-// Owen's nested uniform scrambling of the 32 bits of x.
+// Owen's nested uniform scrambling of x: every bit is flipped or not by the bits before it. One hash of the bits so far
+// decides the next four: the choices are a tree of fifteen. No two of the first 2^16 points share their first sixteen
+// bits, so the rest is simply random.
 std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-  std::uint32_t flips = hash(seed, 0u) & 0x80000000u;
-  for (int bit = 1; bit < 32; bit++) {
-    const std::uint32_t prefix = (x >> (32 - bit)) | (1u << bit);  // the bits before, with a marker of how many
-    flips |= (hash(seed, prefix) & 1u) << (31 - bit);
+  constexpr int shared_bits = 16, bits_of_hash = 4;
+  std::uint32_t result = 0;
+  for (int level = 0; level < shared_bits; level += bits_of_hash) {
+    const std::uint32_t prefix = level == 0 ? 1 : (x >> (32 - level)) | (1u << level);  // a marker of how many
+    const std::uint32_t choices = hash(seed, prefix);
+    std::uint32_t node = 1;
+    for (int bit = level; bit < level + bits_of_hash; bit++) {
+      const std::uint32_t digit = (x >> (31 - bit)) & 1;
+      result |= (digit ^ ((choices >> node) & 1)) << (31 - bit);
+      node = 2 * node + digit;
+    }
   }
-  return x ^ flips;
+  return result | (hash(seed, (x >> shared_bits) | (1u << shared_bits)) & 0xffffu);
 }
 
 }  // namespace
@@ -63,12 +73,12 @@ SobolTable make_sobol_table(std::uint32_t count, std::uint32_t seed) {
   for (std::uint32_t dimension = 0; dimension < joint_dimension_count; dimension++) {
     const Directions v = direction_numbers(dimension);
     const std::uint32_t scramble_seed = hash(seed, dimension + 1);
+    std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
+    for (std::uint32_t index = 1; index < table.size; index++) {
+      points[index] = points[index & (index - 1)] ^ v[static_cast<std::size_t>(std::countr_zero(index))];
+    }
     for (std::uint32_t index = 0; index < table.size; index++) {
-      std::uint32_t x = 0;
-      for (int bit = 0; index >> bit != 0; bit++) {
-        if ((index >> bit) & 1) x ^= v[bit];
-      }
-      table.values[std::size_t{dimension} * table.size + index] = owen_scramble(x, scramble_seed);
+      points[index] = owen_scramble(points[index], scramble_seed);
     }
   }
   return table;

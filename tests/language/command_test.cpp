@@ -137,7 +137,7 @@ TEST(CommandTable, checksTheKindOfEveryArgument) {
 TEST(CommandTable, sharesItsTextWithTheReferencePage) {
   const std::string page = language_markdown();
   for (const Command& command : all_commands()) {
-    EXPECT_NE(page.find("`" + std::string(command.name) + "`"), std::string::npos) << command.name;
+    EXPECT_NE(page.find(fmt::format("`{}`", command.name)), std::string::npos) << command.name;
     EXPECT_NE(page.find(command.help), std::string::npos) << command.name;
   }
   EXPECT_NE(page.find("| `sphere` radius x y z | a sphere round the point x y z | radius: greater than 0 |"),

@@ -38,6 +38,9 @@ Scene with_options(Scene scene, const RenderOptions& options) {
   if (options.rays) scene.rays_per_pixel = *options.rays;
   if (options.size) std::tie(scene.width, scene.height) = *options.size;
   if (options.max_depth) scene.max_depth = *options.max_depth;
+  if (options.reflection_rays) scene.reflection_rays = *options.reflection_rays;
+  if (options.transmission_rays) scene.transmission_rays = *options.transmission_rays;
+  if (options.shadow_rays) scene.shadow_rays = *options.shadow_rays;
   if (options.seed) scene.seed = *options.seed;
   if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
   return scene;
@@ -56,6 +59,10 @@ TracingOptions tracing_options(const Scene& scene, const RenderOptions& options)
   tracing.seed = scene.seed;
   tracing.max_depth = scene.max_depth;
   tracing.rays_per_pixel = scene.rays_per_pixel;
+  tracing.reflection_rays = scene.reflection_rays;
+  tracing.transmission_rays = scene.transmission_rays;
+  tracing.shadow_rays = scene.shadow_rays;
+  tracing.regular_lights = options.regular_lights;
   tracing.course = options.course;
   tracing.shadows = !options.no_shadows;
   tracing.transparent_shadows = options.transparent_shadows;
@@ -71,6 +78,13 @@ Metadata metadata_for(const Scene& scene, const TracingOptions& tracing, const R
                        {"sampler", std::string(pattern_names[static_cast<int>(tracing.pattern)])},
                        {"seed", fmt::format("{}", scene.seed)},
                        {"max-depth", fmt::format("{}", scene.max_depth)}};
+  const auto add_rays = [&metadata](const char* name, int rays) {
+    if (rays != 1) metadata.emplace_back(name, fmt::format("{}", rays));
+  };
+  add_rays("reflection-rays", scene.reflection_rays);
+  add_rays("transmission-rays", scene.transmission_rays);
+  add_rays("shadow-rays", scene.shadow_rays);
+  if (options.regular_lights) metadata.emplace_back("sampler-light", "regular");
   if (options.crop) {
     const Crop& c = *options.crop;
     metadata.emplace_back("crop", fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1));

@@ -116,6 +116,25 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   render->add_option("--seed", options.seed, "Seed of the sample pattern [the scene's, else 0]");
   render->add_option("--max-depth", options.max_depth, "Depth at which no further ray is sent [the scene's, else 8]")
       ->check(CLI::Range(0, most_depth));
+  const CLI::Range rays_of_hit(1, 65536);
+  render
+      ->add_option("--reflection-rays", options.reflection_rays,
+                   "Reflected rays from what an eye ray hits [the scene's, else 1]")
+      ->check(rays_of_hit);
+  render
+      ->add_option("--transmission-rays", options.transmission_rays,
+                   "Transmitted rays from what an eye ray hits [the scene's, else 1]")
+      ->check(rays_of_hit);
+  render
+      ->add_option("--shadow-rays", options.shadow_rays,
+                   "Shadow rays from what an eye ray hits to each disk light [the scene's, else 1]")
+      ->check(rays_of_hit);
+  render
+      ->add_option_function<std::string>(
+          "--sampler-light", [&options](const std::string&) { options.regular_lights = true; },
+          "regular: area lights are sampled at a fixed regular set of points [as --sampler says]")
+      ->check(CLI::IsMember({"regular"}).description(""))
+      ->type_name("regular");
   render->add_flag("--no-shadows", options.no_shadows, "Every light reaches every surface [off]");
   render->add_flag("--transparent-shadows", options.transparent_shadows,
                    "Shadow rays pass translucent surfaces, times k_trans for each [off]");

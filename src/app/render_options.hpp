@@ -22,6 +22,7 @@ struct RenderOptions {
   std::string scene;
   std::vector<std::string> outputs;
   std::optional<int> rays, max_depth;
+  std::optional<int> reflection_rays, transmission_rays, shadow_rays;
   std::optional<std::uint32_t> seed;
   std::optional<double> time;
   std::optional<Pattern> sampler;
@@ -29,7 +30,7 @@ struct RenderOptions {
   std::optional<Crop> crop;
   int threads = 0;  // 0: as many as there are
   int bits = 8;
-  bool no_shadows = false, transparent_shadows = false;
+  bool no_shadows = false, transparent_shadows = false, regular_lights = false;
   bool course = false, lenient = false, quiet = false;
   Layers layers;
   ProgressStyle progress = ProgressStyle::automatic;

@@ -28,7 +28,9 @@ void rays_per_pixel(Reading&, const Call&);
 void sampler(Reading&, const Call&);
 void seed(Reading&, const Call&);
 void max_depth(Reading&, const Call&);
-void rays_per_hit(Reading&, const Call&);
+void reflection_rays(Reading& reading, const Call& call);
+void transmission_rays(Reading& reading, const Call& call);
+void shadow_rays(Reading& reading, const Call& call);
 
 // light_actions.cpp
 void point_light(Reading&, const Call&);

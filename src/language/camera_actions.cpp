@@ -1,28 +1,14 @@
 // The camera, and how its rays are spent.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
+#include <iterator>
 
 #include "language/actions.hpp"
 #include "language/near_word.hpp"
+#include "sampling/pattern.hpp"
 
 namespace penumbra::actions {
-namespace {
-
-constexpr std::array samplers{std::string_view{"random"}, std::string_view{"sobol"}};
-constexpr std::array samplers_to_come{std::string_view{"regular"},       std::string_view{"jittered"},
-                                      std::string_view{"multijittered"}, std::string_view{"poisson"},
-                                      std::string_view{"halton"},        std::string_view{"bluenoise"}};
-constexpr std::string_view what_there_is = "there are `random` and `sobol`";
-
-template <class List>
-bool contains(const List& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
-
-}  // namespace
-
 void fov(Reading& reading, const Call& call) { reading.builder.change().camera.fov_degrees = call[0]; }
 
 void eye(Reading& reading, const Call& call) { reading.builder.change().camera.eye = call.vec(0); }
@@ -68,26 +54,26 @@ void rays_per_pixel(Reading& reading, const Call& call) { reading.builder.change
 
 void sampler(Reading& reading, const Call& call) {
   const std::string_view name = call.word(0);
-  if (contains(samplers, name)) {
+  if (pattern_from_name(name)) {
     reading.builder.change().sampler = name;
-  } else if (contains(samplers_to_come, name)) {
-    reading.diagnostics.error(call.place_of_argument(0),
-                              fmt::format("the sampler `{}` is not there yet; {}", name, what_there_is));
-  } else {
-    reading.diagnostics.error(call.place_of_argument(0),
-                              fmt::format("there is no sampler {}; {}", in_quotes(name), what_there_is),
-                              did_you_mean(nearest_word(name, {samplers.begin(), samplers.end()})));
+    return;
   }
+  reading.diagnostics.error(
+      call.place_of_argument(0),
+      fmt::format("there is no sampler {}; there are {}", in_quotes(name), fmt::join(pattern_names, ", ")),
+      did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
 
 void seed(Reading& reading, const Call& call) { reading.builder.change().seed = static_cast<std::uint32_t>(call[0]); }
 
 void max_depth(Reading& reading, const Call& call) { reading.builder.change().max_depth = call.whole(0); }
 
-void rays_per_hit(Reading& reading, const Call& call) {
-  if (call.whole(0) == 1) return;
-  reading.diagnostics.error(call.place_of_argument(0),
-                            fmt::format("`{}` other than 1 is not there yet", call.command.name));
+void reflection_rays(Reading& reading, const Call& call) { reading.builder.change().reflection_rays = call.whole(0); }
+
+void transmission_rays(Reading& reading, const Call& call) {
+  reading.builder.change().transmission_rays = call.whole(0);
 }
+
+void shadow_rays(Reading& reading, const Call& call) { reading.builder.change().shadow_rays = call.whole(0); }
 
 }  // namespace penumbra::actions

@@ -5,19 +5,34 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace penumbra {
 
-enum class Pattern : std::uint8_t { random, sobol };
+enum class Pattern : std::uint8_t {
+  regular,        // a fixed grid, the same in every pixel: what the others are better than
+  random,         // independent points
+  jittered,       // one point in each of `count` cells of equal area
+  multijittered,  // the same, and one point in each of `count` columns and rows
+  poisson,        // no two points near each other, no large gap
+  halton,         // van der Corput's sequences in prime bases, scrambled
+  sobol,          // Sobol's sequence, Owen-scrambled
+  bluenoise       // Sobol's sequence, shifted so that the errors of neighbouring pixels cancel
+};
 
-inline constexpr std::string_view pattern_names[] = {"random", "sobol"};
+inline constexpr std::string_view pattern_names[] = {"regular", "random", "jittered", "multijittered",
+                                                     "poisson", "halton", "sobol",    "bluenoise"};
 inline constexpr Pattern default_pattern = Pattern::sobol;
+
+// Whether the points depend on how many there will be. The others are sequences: good at every length.
+constexpr bool needs_count(Pattern pattern) {
+  return pattern == Pattern::regular || pattern == Pattern::jittered || pattern == Pattern::multijittered ||
+         pattern == Pattern::poisson;
+}
 
 // The pattern of that name, or nothing.
 std::optional<Pattern> pattern_from_name(std::string_view name);
 
-// The joint dimensions of an eye ray: one jointly scrambled sequence.
+// The dimensions of an eye ray, which some patterns handle jointly. All later dimensions have hashes for names.
 enum JointDimension : std::uint32_t {
   pixel_x,
   pixel_y,
@@ -28,17 +43,5 @@ enum JointDimension : std::uint32_t {
   shutter_time,
   joint_dimension_count
 };
-
-// The first `size` points of the Owen-scrambled Sobol sequence in the joint dimensions, values[dimension * size +
-// index] as 32-bit fractions. Read only once made; shared by all threads.
-struct SobolTable {
-  std::uint32_t size = 0;  // a multiple of 16
-  std::vector<std::uint32_t> values;
-};
-
-inline constexpr std::uint32_t largest_sobol_table = 1u << 16;
-
-// A table long enough for `count` samples a pixel (or the largest there is), scrambled by `seed`.
-SobolTable make_sobol_table(std::uint32_t count, std::uint32_t seed);
 
 }  // namespace penumbra

@@ -1,119 +1,203 @@
-// The sample points of one packet: a pure function of (pixel, index, dimension, seed) for each lane.
-//
-// The dimensions of an eye ray (pixel, lens, time, first light) are joint: coordinates of one Owen-scrambled Sobol
-// sequence, shifted for each pixel by a hash. All later dimensions are padded: the first two Sobol dimensions again,
-// their indices shuffled and their values scrambled anew for each (pixel, dimension), after Burley, "Practical
-// hash-based Owen scrambling" (2020). `random` is a hash of the same arguments.
+// The sample points of one packet: for each lane a pure function of (pixel, index, count, dimension, seed), by the
+// pattern of the picture. The patterns are in files of their own.
 #pragma once
 
-#include "base/hash.hpp"
-#include "base/lane_math.hpp"
-#include "sampling/pattern.hpp"
+#include "sampling/bluenoise.hpp"
+#include "sampling/halton.hpp"
+#include "sampling/jittered.hpp"
+#include "sampling/multijittered.hpp"
+#include "sampling/poisson.hpp"
+#include "sampling/random.hpp"
+#include "sampling/regular.hpp"
+#include "sampling/sample_tables.hpp"
+#include "sampling/sobol.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// Numbers of [0, 1) from the upper 24 bits.
-PENUMBRA_INLINE Floats to_fraction(Ints x) { return to_floats(x >> 8) * Floats(1.0f / 16777216.0f); }
-
-PENUMBRA_INLINE Ints reverse_bits(Ints x) {
-  x = ((x >> 1) & Ints(0x55555555u)) | ((x & Ints(0x55555555u)) << 1);
-  x = ((x >> 2) & Ints(0x33333333u)) | ((x & Ints(0x33333333u)) << 2);
-  x = ((x >> 4) & Ints(0x0f0f0f0fu)) | ((x & Ints(0x0f0f0f0fu)) << 4);
-  x = ((x >> 8) & Ints(0x00ff00ffu)) | ((x & Ints(0x00ff00ffu)) << 8);
-  return (x >> 16) | (x << 16);
-}
-
-// A permutation of words in which every bit depends on the bits below it only: nested uniform scrambling of the
-// bit-reversed word (Laine and Karras 2011 with the constants of Vegdahl 2021).
-PENUMBRA_INLINE Ints scramble_upward(Ints x, Ints seed) {
-  x ^= x * Ints(0x3d20adeau);
-  x += seed;
-  x *= (seed >> 16) | Ints(1);
-  x ^= x * Ints(0x05526c56u);
-  x ^= x * Ints(0x53a22864u);
-  return x;
-}
-
-// An order of the indices in which every bit depends on the bits above it: aligned blocks of 2^k indices stay together,
-// so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the
-// index.
-PENUMBRA_INLINE Ints shuffle(Ints index, Ints seed) { return reverse_bits(scramble_upward(reverse_bits(index), seed)); }
-
-// The second Sobol dimension of an index, bit-reversed on both sides: Pascal's triangle modulo 2 as five butterflies.
-PENUMBRA_INLINE Ints second_sobol_dimension(Ints x) {
-  x ^= (x & Ints(0xaaaaaaaau)) >> 1;
-  x ^= (x & Ints(0xccccccccu)) >> 2;
-  x ^= (x & Ints(0xf0f0f0f0u)) >> 4;
-  x ^= (x & Ints(0xff00ff00u)) >> 8;
-  x ^= (x & Ints(0xffff0000u)) >> 16;
-  return x;
-}
-
-struct Pair {
-  Floats u, v;
-};
-
 // What stays the same for all samples of the pixels of a packet.
 struct PixelSampler {
+  Ints column, row;
   Ints key;  // one hash for each pixel, the seed mixed in
-  Ints joint_shift[joint_dimension_count];
+  Ints joint_key[joint_dimension_count];
 
-  PENUMBRA_INLINE PixelSampler(Ints column, Ints row, std::uint32_t seed) : key(hash(hash(column, row), Ints(seed))) {
-    for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_shift[d] = hash(key, Ints(d));
+  PENUMBRA_INLINE PixelSampler(Ints pixel_column, Ints pixel_row, std::uint32_t seed)
+      : column(pixel_column), row(pixel_row), key(hash(hash(pixel_column, pixel_row), Ints(seed))) {
+    for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = hash(key, Ints(d));
   }
 };
 
-struct Sampler {
-  Pattern pattern;
-  const SobolTable* table;
-  const PixelSampler* pixel;
-  Ints key;                   // of the pixel, and of the block of 65536 samples
-  Ints index;                 // of the sample in its pixel
-  std::uint32_t first_index;  // of lane 0
-  bool consecutive;           // lane k has index first_index + k
-
-  // `samples_per_pixel` lanes belong to one pixel: their indices start at `first`, a multiple of it.
-  PENUMBRA_INLINE Sampler(Pattern p, const SobolTable* sobol, const PixelSampler& pixel_sampler, std::uint32_t first,
+class Sampler {
+ public:
+  // `samples_per_pixel` lanes belong to one pixel: their indices start at `first`, a multiple of it. From `count` on,
+  // patterns that need the count begin another pass of `count` points.
+  PENUMBRA_INLINE Sampler(const PatternChoice& choice, const PixelSampler& pixel, std::uint32_t first,
                           int samples_per_pixel)
-      : pattern(p),
-        table(sobol),
-        pixel(&pixel_sampler),
-        key(pixel_sampler.key),
-        index((lane_numbers() & Ints(static_cast<std::uint32_t>(samples_per_pixel - 1))) + Ints(first)),
-        first_index(first),
-        consecutive(samples_per_pixel == lane_count) {
-    if (first >= largest_sobol_table) key = hash(key, Ints(first / largest_sobol_table));
+      : choice_(&choice),
+        pixel_(&pixel),
+        key_(pixel.key),
+        sample_((lane_numbers() & Ints(static_cast<std::uint32_t>(samples_per_pixel - 1))) + Ints(first)),
+        index_(sample_),
+        count_(choice.count),
+        first_index_(first),
+        consecutive_(samples_per_pixel == lane_count) {
+    if (choice.pattern == Pattern::sobol) {
+      if (first >= largest_sobol_table) key_ = hash(key_, Ints(first / largest_sobol_table));
+    } else if (needs_count(choice.pattern)) {
+      const Ints pass = divide(index_, Ints(count_));
+      index_ = index_ - pass * Ints(count_);
+      key_ = select(pass == Ints(0), key_, hash(key_, pass));
+    }
   }
 
-  // A dimension of the eye ray, in [0, 1).
-  PENUMBRA_INLINE Floats joint(JointDimension dimension) const {
-    if (pattern == Pattern::random) return to_fraction(hash(pixel->joint_shift[dimension], index));
-    const std::uint32_t* points = table->values.data() + std::size_t{dimension} * table->size;
-    const Ints shift = first_index < largest_sobol_table ? pixel->joint_shift[dimension] : hash(key, Ints(dimension));
-    const Ints point = consecutive ? load(points + (first_index & (largest_sobol_table - 1)))
-                                   : gather(points, index & Ints(largest_sobol_table - 1));
-    return to_fraction(point ^ shift);
+  // The dimensions of the eye ray, in [0, 1).
+  PENUMBRA_INLINE Pair pixel_place() const { return joint_pair(pixel_x); }
+  PENUMBRA_INLINE Pair lens_place() const { return joint_pair(lens_radius); }
+  PENUMBRA_INLINE Pair first_light_place() const { return joint_pair(first_light_radius); }
+  PENUMBRA_INLINE Floats time() const {
+    if (choice_->pattern == Pattern::sobol) return sobol_joint(shutter_time);
+    return other_time();
   }
 
-  // Two later dimensions, together a two-dimensional stratified pattern. `dimension` is a hash that names them.
+  // Two later dimensions. `dimension` is a hash that names them.
   PENUMBRA_INLINE Pair pair(std::uint32_t dimension) const {
-    const Ints seed = hash(key, Ints(dimension));
-    const Ints other_seed = mix_bits(seed + Ints(0x68bc21ebu));
-    if (pattern == Pattern::random) return {to_fraction(hash(seed, index)), to_fraction(hash(other_seed, index))};
-    const Ints shuffled = shuffle(index, seed);
-    const Ints first = scramble_upward(shuffled, mix_bits(seed ^ Ints(0x02e5be93u)));
-    const Ints second = scramble_upward(second_sobol_dimension(shuffled), other_seed);
-    return {to_fraction(reverse_bits(first) ^ mix_bits(other_seed ^ Ints(0x02e5be93u))),
-            to_fraction(reverse_bits(second) ^ mix_bits(other_seed ^ Ints(0x967a889bu)))};
+    const Ints key = hash(key_, Ints(dimension));
+    const Ints other_key = mix_bits(key + Ints(0x68bc21ebu));
+    if (choice_->pattern == Pattern::sobol) return sobol_pair(key, other_key, index_);
+    return other_pair(key, other_key, dimension);
   }
 
   // One later dimension.
   PENUMBRA_INLINE Floats single(std::uint32_t dimension) const {
-    const Ints seed = hash(key, Ints(dimension));
-    if (pattern == Pattern::random) return to_fraction(hash(seed, index));
-    const Ints other_seed = mix_bits(seed ^ Ints(0x02e5be93u));
-    return to_fraction(reverse_bits(scramble_upward(shuffle(index, seed), other_seed)) ^ other_seed);
+    const Ints key = hash(key_, Ints(dimension));
+    if (choice_->pattern == Pattern::sobol) return sobol_single(key, index_);
+    return other_single(key, dimension);
   }
+
+  // Two later dimensions of the fixed regular pattern, whatever the pattern of the picture: by the sample of the pixel,
+  // or, where a hit sends several rays, by the ray.
+  Pair regular(std::uint32_t dimension) const {
+    const Ints count(choice_->count);
+    return regular_pair(sample_ - divide(sample_, count) * count, choice_->count, dimension ^ branch_);
+  }
+  static Pair regular_among(std::uint32_t k, std::uint32_t rays, std::uint32_t dimension) {
+    return regular_pair(Ints(k), rays, dimension);
+  }
+
+  // For the directions of ray k of the `rays` that each sample's hit sends: stratified among themselves.
+  Sampler among(std::uint32_t k, std::uint32_t rays) const {
+    if (!needs_count(choice_->pattern)) return continued(k, rays);
+    Sampler sampler = *this;
+    sampler.key_ = hash(key_, index_ + Ints(0x2545f491u));
+    sampler.index_ = Ints(k);
+    sampler.count_ = rays;
+    return sampler;
+  }
+
+  // For all that becomes of ray k of `rays` later on.
+  Sampler descending(std::uint32_t k, std::uint32_t rays) const {
+    if (!needs_count(choice_->pattern)) return continued(k, rays);
+    Sampler sampler = *this;
+    sampler.key_ = hash(key_, Ints(k));
+    sampler.branch_ = hash(branch_, k);
+    return sampler;
+  }
+
+ private:
+  PENUMBRA_INLINE Floats sobol_joint(JointDimension dimension) const {
+    const SobolTable& table = choice_->tables->sobol;
+    const std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
+    const Ints shift = first_index_ < largest_sobol_table ? pixel_->joint_key[dimension] : hash(key_, Ints(dimension));
+    const Ints point = consecutive_ ? load(points + (first_index_ & (largest_sobol_table - 1)))
+                                    : gather(points, index_ & Ints(largest_sobol_table - 1));
+    return to_fraction(point ^ shift);
+  }
+
+  PENUMBRA_INLINE Pair joint_pair(JointDimension first) const {
+    const auto second = static_cast<JointDimension>(first + 1);
+    if (choice_->pattern == Pattern::sobol) return {sobol_joint(first), sobol_joint(second)};
+    return other_joint_pair(first, second);
+  }
+
+  // A sequence goes on where the next sample would be, had the pixel `rays` times as many.
+  Sampler continued(std::uint32_t k, std::uint32_t rays) const {
+    Sampler sampler = *this;
+    sampler.index_ = index_ * Ints(rays) + Ints(k);
+    return sampler;
+  }
+
+  // All patterns but the default one; left calls, because they are large and the pattern seldom changes.
+  __attribute__((noinline)) Pair other_joint_pair(JointDimension first, JointDimension second) const {
+    const Ints key = hash(key_, Ints(first)), other_key = hash(key_, Ints(second));
+    if (choice_->pattern == Pattern::halton && first == pixel_x) return halton_pixel(key, other_key, index_);
+    return other_pair(key, other_key, first);
+  }
+
+  __attribute__((noinline)) Floats other_time() const {
+    const Ints key = hash(key_, Ints(shutter_time));
+    if (choice_->pattern == Pattern::halton) return halton_time(key, index_);
+    return other_single(key, shutter_time);
+  }
+
+  __attribute__((noinline)) Pair other_pair(Ints key, Ints other_key, std::uint32_t dimension) const {
+    switch (choice_->pattern) {
+      case Pattern::regular:
+        return regular_pair(index_, count_, dimension ^ branch_);
+      case Pattern::random:
+        return random_pair(key, other_key, index_);
+      case Pattern::jittered:
+        return jittered_pair(key, other_key, index_, count_);
+      case Pattern::multijittered:
+        return multijittered_pair(key, other_key, index_, count_);
+      case Pattern::poisson:
+        return poisson_pair(poisson_table(), key, index_);
+      case Pattern::halton:
+        return halton_pair(key, other_key, index_);
+      case Pattern::sobol:
+        return sobol_pair(key, other_key, index_);
+      case Pattern::bluenoise:
+        return bluenoise_pair(choice_->tables->sobol, pixel_->column, pixel_->row, index_, dimension, choice_->seed);
+    }
+    return {Floats(0), Floats(0)};
+  }
+
+  __attribute__((noinline)) Floats other_single(Ints key, std::uint32_t dimension) const {
+    switch (choice_->pattern) {
+      case Pattern::regular:
+        return regular_single(index_, count_, dimension ^ branch_);
+      case Pattern::random:
+        return random_single(key, index_);
+      case Pattern::jittered:
+        return jittered_single(key, index_, count_);
+      case Pattern::multijittered:
+        return multijittered_single(key, index_, count_);
+      case Pattern::poisson:
+        return poisson_single(count_, key, index_);
+      case Pattern::halton:
+        return halton_single(key, index_);
+      case Pattern::sobol:
+        return sobol_single(key, index_);
+      case Pattern::bluenoise:
+        return bluenoise_single(choice_->tables->sobol, pixel_->column, pixel_->row, index_, dimension, choice_->seed);
+    }
+    return Floats(0);
+  }
+
+  const PoissonTable& poisson_table() const {
+    const std::vector<PoissonTable>& tables = choice_->tables->poisson;
+    std::size_t i = 0;
+    while (i + 1 < tables.size() && tables[i].count != count_) i++;
+    return tables[i];
+  }
+
+  const PatternChoice* choice_;
+  const PixelSampler* pixel_;
+  Ints key_;                   // of the pixel, and of the block of samples
+  Ints sample_;                // its number in its pixel
+  Ints index_;                 // of the point wanted
+  std::uint32_t count_;        // of the points
+  std::uint32_t first_index_;  // of lane 0
+  std::uint32_t branch_ = 0;   // of several rays of one hit: a name that `regular` can tell apart
+  bool consecutive_;           // lane k has index first_index_ + k
 };
 
 }  // namespace penumbra::PENUMBRA_KERNEL

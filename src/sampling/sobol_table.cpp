@@ -1,10 +1,11 @@
 // Sobol's sequence (Sobol 1967) with the direction numbers of Joe and Kuo (2008), scrambled after Owen (1995): each bit
 // of a coordinate is flipped by a hash of the bits before it.
-#include "base/hash.hpp"
-#include "sampling/pattern.hpp"
+#include "sampling/sobol_table.hpp"
 
 #include <algorithm>
 #include <array>
+
+#include "base/hash.hpp"
 
 namespace penumbra {
 namespace {
@@ -71,13 +72,6 @@ SobolTable make_sobol_table(std::uint32_t count, std::uint32_t seed) {
     }
   }
   return table;
-}
-
-std::optional<Pattern> pattern_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < std::size(pattern_names); i++) {
-    if (pattern_names[i] == name) return static_cast<Pattern>(i);
-  }
-  return std::nullopt;
 }
 
 }  // namespace penumbra

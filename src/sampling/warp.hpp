@@ -1,8 +1,7 @@
 // From the unit square to the shapes that rays are spread over, each of uniform density.
 #pragma once
 
-#include "base/lane_math.hpp"
-#include "sampling/sampler.hpp"
+#include "sampling/fraction.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 

@@ -141,6 +141,8 @@ struct Scene {
   int width = 300;
   int height = 300;
   int rays_per_pixel = 1;
+  // How many rays the hit of an eye ray sends; shadow rays to each area light.
+  int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
   int max_depth = 8;    // the eye ray has depth 0; at this depth no further ray is sent
   std::string sampler;  // empty: the default of the program
   std::uint32_t seed = 0;

@@ -13,20 +13,21 @@ PENUMBRA_INLINE Rays eye_rays(const FrameCamera& camera, const Sampler& sampler,
   Floats x = column + Floats(camera.pixel_offset);
   Floats y = row + Floats(camera.pixel_offset);
   if (camera.pixel_width != 0) {
-    x += sampler.joint(pixel_x);
-    y += sampler.joint(pixel_y);
+    const Pair place = sampler.pixel_place();
+    x += place.u;
+    y += place.v;
   }
   Rays rays;
   rays.coherent = true;
   rays.origin = broadcast3(camera.eye);
   rays.direction = broadcast3(camera.per_x) * x + broadcast3(camera.per_y) * y + broadcast3(camera.corner);
   rays.time = Floats(camera.shutter_open);
-  if (camera.shutter_length != 0) rays.time += Floats(camera.shutter_length) * sampler.joint(shutter_time);
+  if (camera.shutter_length != 0) rays.time += Floats(camera.shutter_length) * sampler.time();
   if (camera.has_lens) {
     // All rays of the sample's place in the pixel meet in one point of the plane in focus.
     const Floats to_plane = Floats(camera.focus_distance) / dot(rays.direction, broadcast3(camera.view));
     const Float3 focus = rays.direction * to_plane;
-    const DiskPoint lens = warp_to_disk({sampler.joint(lens_radius), sampler.joint(lens_angle)});
+    const DiskPoint lens = warp_to_disk(sampler.lens_place());
     const Float3 offset = broadcast3(camera.lens_u) * lens.x + broadcast3(camera.lens_v) * lens.y;
     rays.origin = rays.origin + offset;
     rays.direction = focus - offset;

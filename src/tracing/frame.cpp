@@ -118,9 +118,11 @@ Frame make_frame(const Scene& scene, const TracingOptions& options, int threads)
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
   frame.options = options;
-  if (options.pattern == Pattern::sobol) {
-    frame.sobol = make_sobol_table(static_cast<std::uint32_t>(options.rays_per_pixel), options.seed);
-  }
+  const auto size = [](int count) { return static_cast<std::uint32_t>(count); };
+  frame.tables = make_sample_tables(options.pattern,
+                                    {size(options.rays_per_pixel), size(options.reflection_rays),
+                                     size(options.transmission_rays), size(options.shadow_rays)},
+                                    options.seed);
   frame.width = scene.width;
   frame.height = scene.height;
   frame.color_quantum = quantum_for(largest_color(scene));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/world.hpp"
-#include "sampling/pattern.hpp"
+#include "sampling/sample_tables.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {
@@ -17,7 +17,10 @@ struct TracingOptions {
   std::uint32_t seed = 0;
   int max_depth = 8;
   int rays_per_pixel = 1;
-  bool course = false;  // the course's pixel corners
+  // How many rays the hit of an eye ray sends: reflected, transmitted, to each area light. Deeper hits send one.
+  int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
+  bool regular_lights = false;  // area lights are sampled at a fixed regular set
+  bool course = false;          // the course's pixel corners
   bool shadows = true;
   bool transparent_shadows = false;
 };
@@ -63,10 +66,14 @@ struct Frame {
   std::vector<FrameLight> lights;
   std::vector<FrameSurface> surfaces;
   TracingOptions options;
-  SobolTable sobol;
+  SampleTables tables;
   int width = 0, height = 0;
   // Powers of two: samples are rounded to whole multiples of these before they are summed.
   double color_quantum = 0, depth_quantum = 0;
+
+  PatternChoice pattern_choice() const {
+    return {options.pattern, static_cast<std::uint32_t>(options.rays_per_pixel), options.seed, &tables};
+  }
 };
 
 // Compiles the scene for the given options; the world is built for the scene's shutter.

@@ -116,20 +116,28 @@ void evaluate(LaneFunction function, std::span<const float> a, std::span<const f
   }
 }
 
-// Point k of pixel (0, 0), at the joint or padded dimension.
-void sample_points(const Frame& frame, int x, int y, std::uint32_t dimension, bool joint, std::span<float> u,
-                   std::span<float> v) {
+Pair points_in(const Sampler& sampler, std::uint32_t dimension) {
+  switch (dimension) {
+    case pixel_x:
+      return sampler.pixel_place();
+    case lens_radius:
+      return sampler.lens_place();
+    case first_light_radius:
+      return sampler.first_light_place();
+    case shutter_time:
+      return {sampler.time(), Floats(0)};
+    default:
+      return sampler.pair(dimension);
+  }
+}
+
+void sample_points(const Frame& frame, int x, int y, std::uint32_t dimension, std::span<float> u, std::span<float> v) {
   const PixelSampler pixel(Ints(static_cast<std::uint32_t>(x)), Ints(static_cast<std::uint32_t>(y)),
                            frame.options.seed);
+  const PatternChoice pattern = frame.pattern_choice();
   for (std::size_t i = 0; i < u.size(); i += lane_count) {
-    const Sampler sampler(frame.options.pattern, &frame.sobol, pixel, static_cast<std::uint32_t>(i), lane_count);
-    Pair p;
-    if (joint) {
-      p = {sampler.joint(static_cast<JointDimension>(dimension)),
-           sampler.joint(static_cast<JointDimension>(dimension + 1))};
-    } else {
-      p = sampler.pair(dimension);
-    }
+    const Sampler sampler(pattern, pixel, static_cast<std::uint32_t>(i), lane_count);
+    const Pair p = points_in(sampler, dimension);
     alignas(64) float result[2][lane_count];
     store(result[0], p.u);
     store(result[1], p.v);

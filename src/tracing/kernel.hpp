@@ -63,10 +63,10 @@ struct Kernel {
   // Elementary functions and warps as the packets compute them, for tests: out[i] = function(a[i], b[i], c[i]).
   void (*evaluate)(LaneFunction function, std::span<const float> a, std::span<const float> b, std::span<const float> c,
                    std::span<float> out);
-  // The first u.size() sample points of a pixel in two dimensions, for tests and tools: `dimension` and the next of the
-  // joint ones (a JointDimension), or the padded pair named by `dimension`.
-  void (*sample_points)(const Frame&, int x, int y, std::uint32_t dimension, bool joint, std::span<float> u,
-                        std::span<float> v);
+  // The first u.size() sample points of a pixel, for tests and tools: its places in the pixel (pixel_x), on the lens
+  // (lens_radius), on the first light (first_light_radius), in time (shutter_time; v is 0), or in the two later
+  // dimensions of that name.
+  void (*sample_points)(const Frame&, int x, int y, std::uint32_t dimension, std::span<float> u, std::span<float> v);
 };
 
 namespace lanes4 {

@@ -16,11 +16,12 @@ struct TileRenderer {
   const FilmView& film;
   const TileSamples& tile;
   RayCounts& counts;
+  PatternChoice pattern = frame.pattern_choice();
 
   // Traces the samples of one packet into `sums`.
   PENUMBRA_INLINE void add_packet(const PixelSampler& pixel, Ints column, Ints row, std::uint32_t first,
                                   int samples_per_pixel, Mask active, PixelSums& sums) const {
-    const Sampler sampler(frame.options.pattern, &frame.sobol, pixel, first, samples_per_pixel);
+    const Sampler sampler(pattern, pixel, first, samples_per_pixel);
     const Rays rays = eye_rays(frame.camera, sampler, to_floats(column), to_floats(row));
     counts.camera += static_cast<std::uint64_t>(count(active));
     const TraceContext context{frame, sampler, counts};

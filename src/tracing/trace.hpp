@@ -47,14 +47,25 @@ enum TreeStep : std::uint32_t {
 };
 PENUMBRA_INLINE std::uint32_t step(TreePlace place, std::uint32_t number) { return hash(place, number); }
 
-// The two random numbers for a light. The first light of the eye ray's hit has joint dimensions.
-PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, const FrameLight& light, std::uint32_t number,
-                                   TreePlace place) {
-  if (light.kind != LightKind::disk) return {Floats(0), Floats(0)};
-  if (number == 0 && place == tree_root) {
-    return {c.sampler.joint(first_light_radius), c.sampler.joint(first_light_angle)};
+// One ray of the several that the hit of an eye ray may send.
+struct RayOfHit {
+  std::uint32_t number, count;
+};
+
+// How many rays a hit sends: those of the first hit are set by the picture, deeper ones send one.
+PENUMBRA_INLINE std::uint32_t rays_of_hit(int rays_of_first, TreePlace place) {
+  return place == tree_root ? static_cast<std::uint32_t>(rays_of_first) : 1;
+}
+
+// The two random numbers for an area light. The first light of the eye ray's hit has joint dimensions.
+PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t light, TreePlace place, RayOfHit ray) {
+  const std::uint32_t dimension = step(place, step_light + light);
+  if (c.frame.options.regular_lights) {
+    return ray.count > 1 ? c.sampler.regular_among(ray.number, ray.count, dimension) : c.sampler.regular(dimension);
   }
-  return c.sampler.pair(step(place, step_light + number));
+  if (ray.count > 1) return c.sampler.among(ray.number, ray.count).pair(dimension);
+  if (light == 0 && place == tree_root) return c.sampler.first_light_place();
+  return c.sampler.pair(dimension);
 }
 
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
@@ -107,10 +118,8 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   shadow.time = rays.time;
   shadow.origin = hits.point + facing * (hits.magnitude * Floats(surface_offset));
   shadow.nearest = hits.magnitude * Floats(blind_distance);
-  const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
-  for (std::uint32_t number = 0; number < light_count; number++) {
-    const FrameLight& light = c.frame.lights[number];
-    const LightSample sample = sample_light(light, shadow.origin, light_numbers(c, light, number, place));
+  const auto from_point = [&](const FrameLight& light, Pair random) {
+    const LightSample sample = sample_light(light, shadow.origin, random);
     const Floats cosine = max(dot(shading, sample.toward), zero);
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
@@ -123,27 +132,61 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       visible = visibility(c, shadow, sample.distance, lit);
       lit &= visible > zero;
     }
-    if (none(lit)) continue;
+    if (none(lit)) return Float3{zero, zero, zero};
     Float3 reflected = material.diffuse * cosine;
     if (material.any_specular) {
       reflected += material.specular * highlight(material, shading, sample.toward, rays.direction);
     }
-    sum += keep(lit, reflected * sample.radiance * visible);
+    return keep(lit, reflected * sample.radiance * visible);
+  };
+  const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
+  for (std::uint32_t number = 0; number < light_count; number++) {
+    const FrameLight& light = c.frame.lights[number];
+    if (light.kind != LightKind::disk) {
+      sum += from_point(light, {zero, zero});
+      continue;
+    }
+    const std::uint32_t points = rays_of_hit(options.shadow_rays, place);
+    const Floats share = Floats(1.0f / static_cast<float>(points));
+    for (std::uint32_t k = 0; k < points; k++) {
+      sum += from_point(light, light_numbers(c, number, place, {k, points})) * share;
+    }
   }
   return sum;
 }
 
 Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int depth, TreePlace place, FirstHits* first);
 
-// What a ray sees that starts on the surface, on the side that `side` points to.
-inline Float3 trace_from(const TraceContext& c, const Rays& rays, const Hits& hits, Float3 direction, Float3 side,
-                         Mask active, int depth, TreePlace place) {
+// How the reflected or the transmitted rays leave a surface.
+struct Spreading {
+  Float3 direction;  // unit: of the mirror or of Snell's law
+  bool spread;       // whether any lane has a radius above zero
+  Floats radius;
+  Float3 side;  // the normal of the side they leave to
+  TreeStep random_step, ray_step;
+};
+
+// What `count` rays see in the mean that leave the surface like this.
+inline Float3 trace_spread(const TraceContext& c, const Rays& rays, const Hits& hits, const Spreading& how, Mask active,
+                           std::uint32_t count, int depth, TreePlace place) {
   Rays next;
   next.time = rays.time;
-  next.origin = hits.point + side * (hits.magnitude * Floats(surface_offset));
+  next.origin = hits.point + how.side * (hits.magnitude * Floats(surface_offset));
   next.nearest = hits.magnitude * Floats(blind_distance);
-  next.direction = direction;
-  return trace(c, next, active, depth, place, nullptr);
+  next.direction = how.direction;
+  const TreePlace next_place = step(place, how.ray_step);
+  const auto one_ray = [&](const Sampler& for_direction, const Sampler& for_the_rest) {
+    if (how.spread) {
+      next.direction = spread(how.direction, how.radius, how.side, for_direction, step(place, how.random_step));
+    }
+    return trace({c.frame, for_the_rest, c.counts}, next, active, depth + 1, next_place, nullptr);
+  };
+  if (count == 1) return one_ray(c.sampler, c.sampler);
+  Float3 sum{Floats(0), Floats(0), Floats(0)};
+  for (std::uint32_t k = 0; k < count; k++) {
+    sum += one_ray(c.sampler.among(k, count), c.sampler.descending(k, count));
+  }
+  return sum * Floats(1.0f / static_cast<float>(count));
 }
 
 // What the reflected and the transmitted rays bring.
@@ -164,22 +207,19 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   }
   const Mask reflects = hits.found & (reflection != zero);
   if (any(reflects)) {
-    Float3 direction = normalize(reflect(rays.direction, facing));
-    if (material.any_gloss) {
-      direction = spread(direction, material.gloss_radius, facing, c.sampler, step(place, step_gloss));
-    }
-    c.counts.reflection += static_cast<std::uint64_t>(count(reflects));
-    const Float3 seen = trace_from(c, rays, hits, direction, facing, reflects, depth + 1, step(place, step_reflection));
-    sum += keep(reflects, seen * reflection);
+    const Float3 mirror = normalize(reflect(rays.direction, facing));
+    const Spreading spreading{mirror, material.any_gloss, material.gloss_radius, facing, step_gloss, step_reflection};
+    const std::uint32_t count = rays_of_hit(c.frame.options.reflection_rays, place);
+    sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
+    c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
   }
   if (any(transmits)) {
-    if (material.any_blur) {
-      refracted = spread(refracted, material.blur_radius, -facing, c.sampler, step(place, step_blur));
-    }
-    c.counts.transmission += static_cast<std::uint64_t>(count(transmits));
-    const Float3 seen =
-        trace_from(c, rays, hits, refracted, -facing, transmits, depth + 1, step(place, step_transmission));
-    sum += keep(transmits, seen * material.transmission);
+    const Spreading spreading{refracted, material.any_blur, material.blur_radius,
+                              -facing,   step_blur,         step_transmission};
+    const std::uint32_t count = rays_of_hit(c.frame.options.transmission_rays, place);
+    sum +=
+        keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
+    c.counts.transmission += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
   }
   return sum;
 }

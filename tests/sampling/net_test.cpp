@@ -30,7 +30,7 @@ TEST(Sobol, PairsAreNets) {
     const Frame frame = sampling_frame(Pattern::sobol, 1 << largest, seed);
     for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {17, 4000}}) {
       for (const Dimensions dimensions : all_dimensions) {
-        if (dimensions.joint && dimensions.first != 0) continue;
+        if (dimensions.joint() && dimensions.first != 0) continue;
         const Points points = points_of(frame, x, y, dimensions, 1 << largest);
         for (int m = 0; m <= largest; m++) {
           for (int a = 0; a <= m; a++) {
@@ -56,7 +56,7 @@ TEST(Sobol, EveryDimensionIsStratified) {
 // Later blocks are nets too: picture after picture of 64 samples each.
 TEST(Sobol, AlignedBlocksAreNets) {
   const Frame frame = sampling_frame(Pattern::sobol, 1024);
-  for (const Dimensions dimensions : {Dimensions{0, true}, Dimensions{9, false}}) {
+  for (const Dimensions dimensions : {Dimensions{pixel_x}, Dimensions{0x2c1b3c6du}}) {
     const Points points = points_of(frame, 3, 2, dimensions, 1024);
     for (std::ptrdiff_t begin = 0; begin < 1024; begin += 64) {
       const Points block{{points.u.begin() + begin, points.u.begin() + begin + 64},

@@ -14,7 +14,7 @@ inline Frame sampling_frame(Pattern pattern, std::uint32_t count, std::uint32_t 
   frame.options.pattern = pattern;
   frame.options.seed = seed;
   frame.options.rays_per_pixel = static_cast<int>(count);
-  frame.sobol = make_sobol_table(count, seed);
+  frame.tables = make_sample_tables(pattern, {count}, seed);
   return frame;
 }
 
@@ -22,25 +22,19 @@ struct Points {
   std::vector<float> u, v;
 };
 
-// Two dimensions of the sample: two joint ones, or a padded pair. Padded ones are named by hashes, never by small
+// Two dimensions of the sample: two of the eye ray's, or a later pair. Later ones are named by hashes, never by small
 // numbers; what spreads a ray has neighbouring names.
 struct Dimensions {
   std::uint32_t first;
-  bool joint;
+  bool joint() const { return first < joint_dimension_count; }
 };
-inline constexpr Dimensions all_dimensions[] = {{0, true},
-                                                {2, true},
-                                                {4, true},
-                                                {5, true},
-                                                {0x2c1b3c6du, false},
-                                                {0x2c1b3c6eu, false},
-                                                {0x00012345u, false},
-                                                {0xdeadbeefu, false}};
+inline constexpr Dimensions all_dimensions[] = {{pixel_x},     {lens_radius}, {first_light_radius}, {0x2c1b3c6du},
+                                                {0x2c1b3c6eu}, {0x00012345u}, {0xdeadbeefu}};
 
 inline Points points_of(const Frame& frame, int x, int y, Dimensions dimensions, std::size_t count,
                         const Kernel& kernel = *usable_kernels().back()) {
   Points points{std::vector<float>(count), std::vector<float>(count)};
-  kernel.sample_points(frame, x, y, dimensions.first, dimensions.joint, points.u, points.v);
+  kernel.sample_points(frame, x, y, dimensions.first, points.u, points.v);
   return points;
 }
 

@@ -143,7 +143,7 @@ TEST(Padding, DimensionsPairUpAtRandom) {
         for (std::size_t b = 0; b < a; b++) {
           const Dimensions da = all_dimensions[a / 2], db = all_dimensions[b / 2];
           // Two joint dimensions, and the two of a padded pair, are stratified together on purpose.
-          if (a / 2 == b / 2 || (da.joint && db.joint)) continue;
+          if (a / 2 == b / 2 || (da.joint() && db.joint())) continue;
           const double mean = squares[a * columns + b] / pixels * (static_cast<double>(count) - 1);
           const double most = pattern == Pattern::random ? 1 : 2;
           EXPECT_GT(mean, 1 - limit) << da.first << " " << db.first << ", " << count << " points";

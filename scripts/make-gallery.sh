@@ -111,5 +111,4 @@ picture train-pan          lecture/train_pan.cli --rays 64
 
 # Pages 60 and 64: all of it
 picture billiard-sharp     billiard.cli --size 320x240 --rays 16 --time .5
-picture billiard-open      billiard.cli --size 320x240 --rays 64
 picture billiard           billiard.cli

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "app/lens_table.hpp"
+
 namespace penumbra {
 namespace {
 
@@ -109,7 +111,7 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   row("objects", describe_objects(scene, counts));
   row("surfaces", fmt::format("{}", scene.surfaces.size()));
   if (!picture.rects.empty()) row("painted", plural(picture.rects.size(), "rectangle", "rectangles"));
-  return text;
+  return text + lens_table(scene);
 }
 
 }  // namespace

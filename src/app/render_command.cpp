@@ -66,6 +66,7 @@ TracingOptions tracing_options(const Scene& scene, const RenderOptions& options)
   tracing.course = options.course;
   tracing.shadows = !options.no_shadows;
   tracing.transparent_shadows = options.transparent_shadows;
+  tracing.lens_model = options.lens_model;
   return tracing;
 }
 
@@ -93,6 +94,9 @@ Metadata metadata_for(const Scene& scene, const TracingOptions& tracing, const R
   if (options.course) metadata.emplace_back("course", "yes");
   if (options.lenient) metadata.emplace_back("lenient", "yes");
   if (options.no_shadows) metadata.emplace_back("no-shadows", "yes");
+  if (options.lens_model != LensModel::thin) {
+    metadata.emplace_back("lens-model", lens_model_names[static_cast<int>(options.lens_model)]);
+  }
   if (options.transparent_shadows) metadata.emplace_back("transparent-shadows", "yes");
   return metadata;
 }

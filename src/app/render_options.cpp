@@ -67,6 +67,17 @@ void set_layers(RenderOptions& options, const std::vector<std::string>& names) {
   }
 }
 
+void set_lens_model(RenderOptions& options, const std::string& name) {
+  for (const LensModel model : {LensModel::thin, LensModel::cone}) {
+    if (lens_model_names[static_cast<int>(model)] == name) {
+      options.lens_model = model;
+      return;
+    }
+  }
+  throw CLI::ValidationError("--lens-model", fmt::format("there is no lens model `{}`; there are {}", name,
+                                                         fmt::join(lens_model_names, ", ")));
+}
+
 void check_outputs(const RenderOptions& options) {
   bool any_exr = false;
   for (const std::string& output : options.outputs) {
@@ -138,6 +149,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   render->add_flag("--no-shadows", options.no_shadows, "Every light reaches every surface [off]");
   render->add_flag("--transparent-shadows", options.transparent_shadows,
                    "Shadow rays pass translucent surfaces, times k_trans for each [off]");
+  render
+      ->add_option_function<std::string>(
+          "--lens-model", [&options](const std::string& name) { set_lens_model(options, name); },
+          "thin: rays from the lens; cone: from the eye, within the cone of blur of what the pinhole sees [thin]")
+      ->type_name("thin|cone");
   render->add_option("--time", options.time, "Freeze the shutter at this time [the scene's shutter]")
       ->check(CLI::Validator(
           [](const std::string& text) {

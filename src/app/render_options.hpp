@@ -8,6 +8,7 @@
 
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
+#include "tracing/lens_model.hpp"
 
 namespace CLI {
 class App;
@@ -30,6 +31,7 @@ struct RenderOptions {
   std::optional<Crop> crop;
   int threads = 0;  // 0: as many as there are
   int bits = 8;
+  LensModel lens_model = LensModel::thin;
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;
   bool course = false, lenient = false, quiet = false;
   Layers layers;

@@ -34,6 +34,25 @@ void lens(Reading& reading, const Call& call) {
   Camera& camera = reading.builder.change().camera;
   camera.lens_radius = call[0];
   if (call[1] > 0) camera.focus_distance = call[1];
+  camera.focal_length = camera.f_number = 0;
+}
+
+void camera_lens(Reading& reading, const Call& call) {
+  const double focal_length = call[0], f_number = call[1], focus = call[2];
+  const double radius = focal_length / (2 * f_number);
+  if (radius > largest_number) {
+    return reading.diagnostics.error(call.place_of_argument(1), "the aperture F/n of `camera_lens` is too large");
+  }
+  if (focus <= focal_length) {
+    return reading.diagnostics.error(
+        call.place_of_argument(2),
+        fmt::format("`P` of `camera_lens` has to be greater than `F`; found {}", in_quotes(call.word(2))));
+  }
+  Camera& camera = reading.builder.change().camera;
+  camera.lens_radius = radius;
+  camera.focus_distance = focus;
+  camera.focal_length = focal_length;
+  camera.f_number = f_number;
 }
 
 void shutter(Reading& reading, const Call& call) {
@@ -44,10 +63,6 @@ void shutter(Reading& reading, const Call& call) {
   Camera& camera = reading.builder.change().camera;
   camera.shutter_open = call[0];
   camera.shutter_close = call[1];
-}
-
-void not_there_yet(Reading& reading, const Call& call) {
-  reading.diagnostics.error(call.place(), fmt::format("`{}` is not there yet", call.command.name));
 }
 
 void rays_per_pixel(Reading& reading, const Call& call) { reading.builder.change().rays_per_pixel = call.whole(0); }

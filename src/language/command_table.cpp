@@ -75,9 +75,11 @@ constexpr std::array table{
     Command{"lens", camera, takes({light_radius, number("dist")}),
             "a thin lens of that radius round the eye, with the plane at that distance in focus; radius 0: a pinhole",
             actions::lens},
-    Command{"camera_lens", camera, takes({number("F"), number("n"), number("P")}),
-            "a lens by focal length, f-number and distance of the plane in focus; not there yet",
-            actions::not_there_yet},
+    Command{
+        "camera_lens", camera, takes({above_zero("F"), above_zero("n"), number("P")}),
+        "a lens of focal length F and aperture F/n, with the plane at distance P, more than F, in focus (the later of "
+        "this and `lens` counts)",
+        actions::camera_lens},
     Command{"shutter", camera, takes({number("open"), number("close")}),
             "the time during which the shutter is open; 0 1", actions::shutter},
 

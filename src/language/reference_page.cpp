@@ -52,9 +52,12 @@ constexpr std::string_view about_camera = R"(
 Without `eye` and `uvw` the camera is at the origin and looks along the negative z axis, with y up. The image plane is at
 distance 1; the shorter side of the picture spans 2 tan(fov/2) of it.
 
-With a lens, all rays of one point of the picture start on a disk and meet again in the plane that is in focus. One time
-is drawn for each ray from the eye, evenly between the two times of `shutter`, and every ray that follows from it shares
-it. Lens and lights do not move.
+With a lens, all rays of one point of the picture start on a disk and meet again in the plane that is in focus.
+`camera_lens F n P` is `lens F/(2n) P`: the lecture's names for the same lens. The field of view stays what `fov` says.
+`penumbra check` lists how much each object is blurred, by the formulas of [lens.md](lens.md).
+
+One time is drawn for each ray from the eye, evenly between the two times of `shutter`, and every ray that follows from
+it shares it. Lens and lights do not move.
 )";
 
 constexpr std::string_view about_sampling = R"(

@@ -30,6 +30,8 @@ struct Camera {
   Vec3 back{0, 0, 1};         // w: the view goes along -w
   double lens_radius = 0;     // world units; 0 is a pinhole
   double focus_distance = 1;  // distance along -w of the plane in focus
+  double focal_length = 0;    // F and n of `camera_lens`: the lens radius is F/(2n); 0 where they are not known
+  double f_number = 0;
   double shutter_open = 0;
   double shutter_close = 1;
 };

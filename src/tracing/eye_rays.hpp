@@ -4,12 +4,14 @@
 #include "geometry/rays.hpp"
 #include "sampling/sampler.hpp"
 #include "sampling/warp.hpp"
+#include "tracing/cone_lens.hpp"
 #include "tracing/frame.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
 // The eye rays of the samples, through the pixels at (column, row).
-PENUMBRA_INLINE Rays eye_rays(const FrameCamera& camera, const Sampler& sampler, Floats column, Floats row) {
+PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats column, Floats row, Mask active) {
+  const FrameCamera& camera = frame.camera;
   Floats x = column + Floats(camera.pixel_offset);
   Floats y = row + Floats(camera.pixel_offset);
   if (camera.pixel_width != 0) {
@@ -24,13 +26,18 @@ PENUMBRA_INLINE Rays eye_rays(const FrameCamera& camera, const Sampler& sampler,
   rays.time = Floats(camera.shutter_open);
   if (camera.shutter_length != 0) rays.time += Floats(camera.shutter_length) * sampler.time();
   if (camera.has_lens) {
-    // All rays of the sample's place in the pixel meet in one point of the plane in focus.
-    const Floats to_plane = Floats(camera.focus_distance) / dot(rays.direction, broadcast3(camera.view));
-    const Float3 focus = rays.direction * to_plane;
     const DiskPoint lens = warp_to_disk(sampler.lens_place());
     const Float3 offset = broadcast3(camera.lens_u) * lens.x + broadcast3(camera.lens_v) * lens.y;
-    rays.origin = rays.origin + offset;
-    rays.direction = focus - offset;
+    if (frame.options.lens_model == LensModel::cone) {
+      rays.direction = normalize(rays.direction);
+      rays.direction = cone_direction(frame, rays, offset, active);
+    } else {
+      // All rays of the sample's place in the pixel meet in one point of the plane in focus.
+      const Floats to_plane = Floats(camera.focus_distance) / dot(rays.direction, broadcast3(camera.view));
+      const Float3 focus = rays.direction * to_plane;
+      rays.origin = rays.origin + offset;
+      rays.direction = focus - offset;
+    }
   }
   rays.direction = normalize(rays.direction);
   return rays;

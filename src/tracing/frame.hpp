@@ -8,6 +8,7 @@
 #include "geometry/world.hpp"
 #include "sampling/sample_tables.hpp"
 #include "scene/scene.hpp"
+#include "tracing/lens_model.hpp"
 
 namespace penumbra {
 
@@ -23,6 +24,7 @@ struct TracingOptions {
   bool course = false;          // the course's pixel corners
   bool shadows = true;
   bool transparent_shadows = false;
+  LensModel lens_model = LensModel::thin;
 };
 
 // Direction of the ray through (x, y) in pixels from the top left: x * per_x + y * per_y + corner, not normalised.

@@ -9,6 +9,7 @@
 
 namespace penumbra {
 
+// `camera`: one for each sample, whatever the lens model needs to aim it.
 struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflection = 0, transmission = 0;
 

@@ -22,7 +22,7 @@ struct TileRenderer {
   PENUMBRA_INLINE void add_packet(const PixelSampler& pixel, Ints column, Ints row, std::uint32_t first,
                                   int samples_per_pixel, Mask active, PixelSums& sums) const {
     const Sampler sampler(pattern, pixel, first, samples_per_pixel);
-    const Rays rays = eye_rays(frame.camera, sampler, to_floats(column), to_floats(row));
+    const Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
     counts.camera += static_cast<std::uint64_t>(count(active));
     const TraceContext context{frame, sampler, counts};
     FirstHits first_hits;

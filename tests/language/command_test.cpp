@@ -175,6 +175,42 @@ TEST(Camera, takesAllItsCommands) {
   EXPECT_EQ(scene_of(light + ball + "lens 0 0").camera.lens_radius, 0);
 }
 
+TEST(Camera, takesTheLensOfTheLecture) {
+  const Camera camera = scene_of(light + ball + "fov 45\ncamera_lens .05 2 3\n").camera;
+  EXPECT_EQ(camera.lens_radius, .0125);
+  EXPECT_EQ(camera.focus_distance, 3);
+  EXPECT_EQ(camera.focal_length, .05);
+  EXPECT_EQ(camera.f_number, 2);
+  EXPECT_EQ(camera.fov_degrees, 45);
+}
+
+TEST(Camera, hasTheLaterOfTwoLenses) {
+  const Camera by_radius = scene_of(light + ball + "camera_lens .05 2 3\nlens .25 6\n").camera;
+  EXPECT_EQ(by_radius.lens_radius, .25);
+  EXPECT_EQ(by_radius.focus_distance, 6);
+  EXPECT_EQ(by_radius.focal_length, 0);
+  EXPECT_EQ(by_radius.f_number, 0);
+  const Camera pinhole = scene_of(light + ball + "camera_lens .05 2 3\nlens 0 0\n").camera;
+  EXPECT_EQ(pinhole.lens_radius, 0);
+  EXPECT_EQ(pinhole.f_number, 0);
+  for (const std::string before : {"lens .25 6\n", "lens 0 0\n", "camera_lens 4 8 9\n"}) {
+    const Camera camera = scene_of(light + ball + before + "camera_lens 1 4 5\n").camera;
+    EXPECT_EQ(camera.lens_radius, .125);
+    EXPECT_EQ(camera.focus_distance, 5);
+    EXPECT_EQ(camera.focal_length, 1);
+    EXPECT_EQ(camera.f_number, 4);
+  }
+}
+
+// Two pictures of one file: each has the lens of its place.
+TEST(Camera, keepsTheLensOfAPictureTaken) {
+  const SceneFile file = read(light + ball + "camera_lens 1 4 5\nrender\nlens .25 6\nrender\n");
+  const std::vector<Picture> list = pictures(file);
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].scene->camera.f_number, 4);
+  EXPECT_EQ(list[1].scene->camera.f_number, 0);
+}
+
 TEST(Camera, hasTheDefaultsOfTheLanguage) {
   const Scene scene = scene_of(light + ball);
   EXPECT_EQ(scene.background, (Vec3{}));

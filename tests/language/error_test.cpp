@@ -137,11 +137,24 @@ TEST(Errors, aboutTheCamera) {
        "poisson, halton, sobol, bluenoise\n  sampler sobbol\n          "
        "^~~~~~\n"
        "  did you mean `sobol`?\n"},
-      {"camera_lens .05 2 3",
-       "s.cli:1:1: error: `camera_lens` is not there yet\n  camera_lens .05 2 3\n  ^~~~~~~~~~~\n"},
       {"reflection_rays 0",
        "s.cli:1:17: error: `n` of `reflection_rays` has to be a whole number from 1 to 65536; found `0`\n"
        "  reflection_rays 0\n                  ^\n"},
+      {"camera_lens 0 2 3",
+       "s.cli:1:13: error: `F` of `camera_lens` has to be greater than 0; found `0`\n  camera_lens 0 2 3\n"
+       "              ^\n"},
+      {"camera_lens .05 -2 3",
+       "s.cli:1:17: error: `n` of `camera_lens` has to be greater than 0; found `-2`\n  camera_lens .05 -2 3\n"
+       "                  ^~\n"},
+      {"camera_lens .05 2 .05",
+       "s.cli:1:19: error: `P` of `camera_lens` has to be greater than `F`; found `.05`\n"
+       "  camera_lens .05 2 .05\n                    ^~~\n"},
+      {"camera_lens .05 2 -3",
+       "s.cli:1:19: error: `P` of `camera_lens` has to be greater than `F`; found `-3`\n"
+       "  camera_lens .05 2 -3\n                    ^~\n"},
+      {"camera_lens 1e20 1e-20 1e30",
+       "s.cli:1:18: error: the aperture F/n of `camera_lens` is too large\n"
+       "  camera_lens 1e20 1e-20 1e30\n                   ^~~~~\n"},
       {"spotlight 0 0 0 0 -1 0 30 20 1 1 1",
        "s.cli:1:27: error: `outer` of `spotlight` has to be `inner` or more\n"
        "  spotlight 0 0 0 0 -1 0 30 20 1 1 1\n                            ^~\n"},

@@ -147,6 +147,7 @@ TEST(Exactness, PassesDoNotShow) {
       if (pattern != default_pattern && kernel != usable_kernels().back()) continue;
       RenderSettings settings;
       settings.pattern = pattern;
+      settings.lens_model = pattern == Pattern::random ? LensModel::cone : LensModel::thin;
       settings.layers = all_layers;
       settings.kernel = kernel;
       const AllValues at_once = values_of(render_scene(scene, settings).film);
@@ -184,6 +185,21 @@ TEST(Exactness, InstructionSetsDoNotShow) {
         EXPECT_TRUE(values_of(text, settings) == first)
             << kernel->isa << " " << pattern_names[static_cast<int>(pattern)];
       }
+    }
+  }
+}
+
+// The rays that aim the rays of a cone lens too.
+TEST(Exactness, NothingShowsWithAConeLens) {
+  for (const std::string& text : {scene_text(1), scene_text(scaled(19, 5)), scene_text(3) + mesh_text()}) {
+    RenderSettings settings;
+    settings.lens_model = LensModel::cone;
+    settings.kernel = usable_kernels().front();
+    const AllValues first = values_of(text, settings);
+    settings.threads = 3;
+    for (const Kernel* kernel : usable_kernels()) {
+      settings.kernel = kernel;
+      EXPECT_TRUE(values_of(text, settings) == first) << kernel->isa;
     }
   }
 }

@@ -18,6 +18,7 @@ struct RenderSettings {
   bool shadows = true;
   bool transparent_shadows = false;
   bool regular_lights = false;
+  LensModel lens_model = LensModel::thin;
   Pattern pattern = default_pattern;
   Layers layers = {};
   int threads = 2;
@@ -51,6 +52,7 @@ inline Frame frame_from(const Scene& scene, const RenderSettings& settings = {})
   options.course = settings.course;
   options.shadows = settings.shadows;
   options.transparent_shadows = settings.transparent_shadows;
+  options.lens_model = settings.lens_model;
   return make_frame(scene, options, settings.threads);
 }
 

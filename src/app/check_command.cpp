@@ -105,6 +105,10 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   row("size", fmt::format("{} x {}", scene.width, scene.height));
   row("rays", fmt::format("{} per pixel, depth {}, sampler {}, seed {}", scene.rays_per_pixel, scene.max_depth,
                           scene.sampler.empty() ? "by default" : scene.sampler, scene.seed));
+  if (std::max({scene.reflection_rays, scene.transmission_rays, scene.shadow_rays}) > 1) {
+    row("first hits", fmt::format("{} reflection, {} transmission and {} shadow rays", scene.reflection_rays,
+                                  scene.transmission_rays, scene.shadow_rays));
+  }
   row("camera", describe_camera(scene.camera));
   row("background", triple(scene.background));
   row("lights", describe_lights(scene));

@@ -92,9 +92,7 @@ class WorldBuilder {
     }
   }
 
-  void note_texture(std::uint32_t surface) {
-    world_.has_textures |= scene_.surfaces[surface].texture == Texture::noise;
-  }
+  void note_texture(std::uint32_t surface) { world_.has_textures |= scene_.surfaces[surface].texture != Texture::none; }
 
   void add_instance(GroupParts& parts, std::uint32_t definition, const Affine& placement, Vec3 motion) {
     const Object& object = scene_.definitions[definition];

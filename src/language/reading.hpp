@@ -42,7 +42,6 @@ struct Reading {
   std::uint64_t bytes = 0;
 
   bool stray_vertex = false;              // a `vertex` outside a polygon was told; those that follow it are not
-  bool texture_warned[8] = {};            // one warning for each kind
   std::uint64_t objects_in_pictures = 0;  // objects that had been added when the last picture was taken
   std::optional<Place> after_pictures;    // the first object after the last picture
 

@@ -97,7 +97,9 @@ direction, which follows Snell's law for `index`; with index 1 light goes straig
 one reflected ray has the factor k_refl + k_trans. A transparent surface casts a full shadow.
 
 `noise`, `wood`, `marble` and `stone` add a solid texture to the current surface. It is cut from a block that belongs to
-the object, so it moves with the instance and the motion of the object.
+the object, so it moves with the instance and the motion of the object. Sizes are those of that block: `wood` has ten
+rings to a unit round its x axis, the stones of `stone` are about a third of a unit wide, and `noise scale` has `scale`
+periods to a unit.
 )";
 
 constexpr std::string_view about_shapes = R"(

@@ -1,6 +1,4 @@
 // The surfaces: each replaces the current one, and its texture.
-#include <fmt/format.h>
-
 #include "language/actions.hpp"
 
 namespace penumbra::actions {
@@ -30,16 +28,6 @@ void set_texture(Reading& reading, Texture texture) {
   Surface surface = reading.builder.surface();
   surface.texture = texture;
   reading.builder.set_surface(surface);
-}
-
-// A texture that is not drawn yet; one warning for each kind is enough.
-void set_plain_texture(Reading& reading, const Call& call, Texture texture) {
-  set_texture(reading, texture);
-  bool& warned = reading.texture_warned[static_cast<std::size_t>(texture)];
-  if (warned) return;
-  warned = true;
-  reading.diagnostics.warning(
-      call.place(), fmt::format("`{}` is drawn as the plain diffuse colour for the time being", call.command.name));
 }
 
 }  // namespace
@@ -93,10 +81,10 @@ void noise(Reading& reading, const Call& call) {
   reading.builder.set_surface(surface);
 }
 
-void wood(Reading& reading, const Call& call) { set_plain_texture(reading, call, Texture::wood); }
+void wood(Reading& reading, const Call&) { set_texture(reading, Texture::wood); }
 
-void marble(Reading& reading, const Call& call) { set_plain_texture(reading, call, Texture::marble); }
+void marble(Reading& reading, const Call&) { set_texture(reading, Texture::marble); }
 
-void stone(Reading& reading, const Call& call) { set_plain_texture(reading, call, Texture::stone); }
+void stone(Reading& reading, const Call&) { set_texture(reading, Texture::stone); }
 
 }  // namespace penumbra::actions

@@ -83,9 +83,9 @@ FrameSurface make_surface(const Surface& s) {
   surface.transmission = static_cast<float>(s.transmission);
   surface.refraction_index = static_cast<float>(s.refraction_index);
   surface.blur_radius = static_cast<float>(s.blur_radius);
+  surface.texture = s.texture;
   surface.texture_scale = static_cast<float>(s.texture_scale);
   surface.blinn = s.highlight == Highlight::blinn;
-  surface.noise = s.texture == Texture::noise;
   return surface;
 }
 

@@ -56,9 +56,9 @@ struct FrameSurface {
   float specular_power;
   float reflection, gloss_radius;
   float transmission, refraction_index, blur_radius;
-  float texture_scale;
+  Texture texture;
+  float texture_scale;  // of noise
   bool blinn;
-  bool noise;
 };
 
 struct Frame {

@@ -96,6 +96,22 @@ Floats evaluate_one(LaneFunction function, Floats a, Floats b, Floats c) {
       return warp_to_ball({a, b}, c).z;
     case LaneFunction::noise:
       return noise3({a, b, c});
+    case LaneFunction::wood_red:
+      return wood_color({a, b, c}).x;
+    case LaneFunction::wood_green:
+      return wood_color({a, b, c}).y;
+    case LaneFunction::wood_blue:
+      return wood_color({a, b, c}).z;
+    case LaneFunction::marble:
+      return marble_grey({a, b, c});
+    case LaneFunction::stone_red:
+      return stone_color({a, b, c}, Mask(true)).x;
+    case LaneFunction::stone_green:
+      return stone_color({a, b, c}, Mask(true)).y;
+    case LaneFunction::stone_blue:
+      return stone_color({a, b, c}, Mask(true)).z;
+    case LaneFunction::stone_border:
+      return stone_cell({a, b, c}, Mask(true)).border;
   }
   return Floats(0);
 }

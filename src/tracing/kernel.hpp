@@ -51,7 +51,29 @@ struct ProbeHit {
   float normal[3], point[3];
 };
 
-enum class LaneFunction { sine, cosine, log2, exp2, power, acos_turns, disk_x, disk_y, ball_x, ball_y, ball_z, noise };
+enum class LaneFunction {
+  sine,
+  cosine,
+  log2,
+  exp2,
+  power,
+  acos_turns,
+  disk_x,
+  disk_y,
+  ball_x,
+  ball_y,
+  ball_z,
+  noise,
+  // Textures of the point (a, b, c), channel by channel, and the border of a stone as StoneCell has it.
+  wood_red,
+  wood_green,
+  wood_blue,
+  marble,
+  stone_red,
+  stone_green,
+  stone_blue,
+  stone_border
+};
 
 struct Kernel {
   const char* isa;  // sse42, avx2, avx512

@@ -3,7 +3,7 @@
 
 #include "geometry/rays.hpp"
 #include "tracing/frame.hpp"
-#include "tracing/noise.hpp"
+#include "tracing/texture.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
@@ -54,9 +54,8 @@ PENUMBRA_INLINE void add_surface(const FrameSurface& s, Mask lanes, const Hits& 
     m.any_transmission = true;
     m.any_blur |= s.blur_radius != 0;
   }
-  if (s.noise) {
-    const Floats grey = noise3(hits.texture_point * Floats(s.texture_scale));
-    m.diffuse = select(lanes, Float3{grey, grey, grey}, m.diffuse);
+  if (s.texture != Texture::none) {
+    m.diffuse = select(lanes, texture_color(s, lanes, hits.texture_point), m.diffuse);
   }
 }
 

@@ -272,10 +272,7 @@ TEST(Warnings, aboutWhatIsOdd) {
        "s.cli:4:1: warning: `end_list` ends the `begin_accel` in line 2\n  end_list\n  ^~~~~~~~\n"},
       {light + "cylinder 1 0 0 2 2\n",
        "s.cli:2:16: warning: this cylinder has no height\n  cylinder 1 0 0 2 2\n                 ^\n"},
-      {light + "wood\n" + ball + "marble\n" + ball + "stone\n" + ball + "wood\n" + ball,
-       "s.cli:2:1: warning: `wood` is drawn as the plain diffuse colour for the time being\n  wood\n  ^~~~\n"
-       "s.cli:4:1: warning: `marble` is drawn as the plain diffuse colour for the time being\n  marble\n  ^~~~~~\n"
-       "s.cli:6:1: warning: `stone` is drawn as the plain diffuse colour for the time being\n  stone\n  ^~~~~\n"},
+      {light + "wood\n" + ball + "marble\n" + ball + "stone\n" + ball + "wood\n" + ball, ""},
       {light + "begin_list\n" + ball + "end_accel\n", ""},
       {"rect 0 0 5 5\n", ""},
   });

@@ -30,15 +30,16 @@ check_scenes() {
 
 # Every picture of the script has a name of its own, a scene that exists, and options that the program knows.
 check_pictures() {
-  local help kind name rest word
+  local help commands_help kind name rest word
   help=$("$penumbra" render --help)
+  commands_help=$("$penumbra" --help)
   [ "$(commands | wc -l)" -gt 0 ] || fault "$script makes no pictures"
   while read -r name; do
     fault "$script makes two pictures $name"
   done < <(commands | cut -d ' ' -f 2 | sort | uniq -d)
   while read -r kind name rest; do
     if [ "$kind" = plot ]; then
-      "$penumbra" samples --help > /dev/null 2>&1 || fault "$script: $name: no command samples"
+      grep -qE '^ +samples ' <<< "$commands_help" || fault "$script: $name: no command samples"
       continue
     fi
     [ -f "scenes/${rest%% *}" ] || fault "$script: $name: there is no scenes/${rest%% *}"

@@ -10,6 +10,7 @@
 #include "app/compare_command.hpp"
 #include "app/render_command.hpp"
 #include "app/render_options.hpp"
+#include "app/samples_command.hpp"
 #include "app/version.hpp"
 
 namespace {
@@ -33,9 +34,11 @@ int run(int argc, char** argv) {
   penumbra::RenderOptions render_options;
   penumbra::CheckOptions check_options;
   penumbra::CompareOptions compare_options;
+  penumbra::SamplesOptions samples_options;
   const CLI::App* render = penumbra::add_render(app, render_options);
   const CLI::App* check = add_check(app, check_options);
   const CLI::App* compare = penumbra::add_compare(app, compare_options);
+  const CLI::App* samples = penumbra::add_samples(app, samples_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -44,6 +47,7 @@ int run(int argc, char** argv) {
   if (render->parsed()) return penumbra::render_command(render_options);
   if (check->parsed()) return penumbra::check_command(check_options);
   if (compare->parsed()) return penumbra::compare_command(compare_options);
+  if (samples->parsed()) return penumbra::samples_command(samples_options);
   return exit_usage;
 }
 

@@ -1,0 +1,31 @@
+// The picture of `penumbra samples`: the points in the unit square, their power spectrum as grey values, and its mean
+// over all directions as a curve.
+#pragma once
+
+#include <vector>
+
+#include "image/image.hpp"
+#include "sampling/plane_point.hpp"
+#include "sampling/spacing.hpp"
+#include "sampling/spectrum.hpp"
+
+namespace penumbra {
+
+inline constexpr int plot_width = 1260, plot_height = 420;
+
+struct PatternPlot {
+  const std::vector<PlanePoint>& points;
+  const ClosestPair& closest;
+  const EmptyCircle& empty;
+  const Spectrum& spectrum;
+};
+
+// Three panels:
+// - the points on the grid of n equal cells, as they lie in a pixel (y down); the closest two in red, the largest empty
+//   circle in blue;
+// - P(f) with frequency 0 (left out) in the middle: black 0, mid grey 1 (white noise), white without end, P / (1 + P).
+//   Ticks are multiples of sqrt(n);
+// - the radial mean of P from 0 to 3, with the line of white noise at 1; the same ticks to the right.
+Image draw_pattern(const PatternPlot& plot);
+
+}  // namespace penumbra

@@ -1,0 +1,145 @@
+#include "image/canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+namespace {
+
+// The strokes of a digit on a grid of 0-4 to the right and 0-6 downward, two figures a place, blanks between strokes.
+std::string_view strokes_of(char character) {
+  switch (character) {
+    case '0':
+      return "103041453616050110";
+    case '1':
+      return "112026";
+    case '2':
+      return "011030414203060646";
+    case '3':
+      return "011030414233 334445361605";
+    case '4':
+      return "36300444";
+    case '5':
+      return "400003334445361605";
+    case '6':
+      return "4130100105163645443304";
+    case '7':
+      return "004016";
+    case '8':
+      return "1030414233130201 133344453616050413 0110";
+    case '9':
+      return "4233130201103041453616 1605";
+    case '.':
+      return "1616";
+    case '-':
+      return "0343";
+    default:
+      return "";
+  }
+}
+
+double distance_to_segment(double x, double y, Canvas::Place a, Canvas::Place b) {
+  const double dx = b.first - a.first, dy = b.second - a.second;
+  const double squared = dx * dx + dy * dy;
+  const double along = (x - a.first) * dx + (y - a.second) * dy;
+  const double t = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+  return std::hypot(x - a.first - t * dx, y - a.second - t * dy);
+}
+
+}  // namespace
+
+Canvas::Canvas(int width, int height, const Color& background)
+    : image_(make_image(width, height)), clip_{0, 0, width, height} {
+  for (std::size_t i = 0; i < image_.rgb.size(); i++) image_.rgb[i] = background[i % 3];
+}
+
+// Calls f with each pixel that may be nearer than `reach`, and the distance of its centre.
+template <typename F>
+void Canvas::around(Place centre, double reach, F&& f) {
+  const auto [cx, cy] = centre;
+  const int left = std::max(clip_.x0, static_cast<int>(std::floor(cx - reach - 1)));
+  const int right = std::min(clip_.x1, static_cast<int>(std::ceil(cx + reach + 1)));
+  const int top = std::max(clip_.y0, static_cast<int>(std::floor(cy - reach - 1)));
+  const int bottom = std::min(clip_.y1, static_cast<int>(std::ceil(cy + reach + 1)));
+  for (int y = top; y < bottom; y++) {
+    for (int x = left; x < right; x++) f(x, y, std::hypot(x + 0.5 - cx, y + 0.5 - cy));
+  }
+}
+
+// `depth` is the distance of the pixel's centre to the edge of the shape, positive inside.
+void Canvas::blend(int x, int y, const Color& color, double depth) {
+  const auto covered = static_cast<float>(std::clamp(0.5 + depth, 0.0, 1.0));
+  const auto width = static_cast<std::size_t>(image_.width);
+  float* out = &image_.rgb[3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x))];
+  for (int c = 0; c < 3; c++) out[c] += (color[c] - out[c]) * covered;
+}
+
+void Canvas::pixel(int x, int y, const Color& color) { blend(x, y, color, 1); }
+
+void Canvas::disk(Place centre, double radius, const Color& color) {
+  around(centre, radius, [&](int x, int y, double distance) { blend(x, y, color, radius - distance); });
+}
+
+void Canvas::ring(Place centre, double radius, double width, const Color& color) {
+  around(centre, radius + width / 2,
+         [&](int x, int y, double distance) { blend(x, y, color, width / 2 - std::abs(distance - radius)); });
+}
+
+void Canvas::curve(const std::vector<Place>& places, double width, const Color& color) {
+  if (places.empty()) return;
+  // The distance to the nearest segment first, so that joints are not painted twice.
+  const double reach = width / 2 + 1;
+  const auto bounds_of = [&](const Place& a, const Place& b) {
+    return Window{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),
+                  std::max(clip_.y0, static_cast<int>(std::floor(std::min(a.second, b.second) - reach))),
+                  std::min(clip_.x1, static_cast<int>(std::ceil(std::max(a.first, b.first) + reach))),
+                  std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
+  };
+  Window all = bounds_of(places[0], places[0]);
+  for (const Place& place : places) {
+    const Window window = bounds_of(place, place);
+    all = {std::min(all.x0, window.x0), std::min(all.y0, window.y0), std::max(all.x1, window.x1),
+           std::max(all.y1, window.y1)};
+  }
+  if (all.x0 >= all.x1 || all.y0 >= all.y1) return;
+  std::vector<double> nearest(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height()), 1e9);
+  const auto nearest_at = [&](int x, int y) -> double& {
+    return nearest[static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
+                   static_cast<std::size_t>(x - all.x0)];
+  };
+  for (std::size_t i = 0; i < places.size(); i++) {
+    const Place &a = places[i > 0 ? i - 1 : 0], &b = places[i];
+    const Window window = bounds_of(a, b);
+    for (int y = window.y0; y < window.y1; y++) {
+      for (int x = window.x0; x < window.x1; x++) {
+        nearest_at(x, y) = std::min(nearest_at(x, y), distance_to_segment(x + 0.5, y + 0.5, a, b));
+      }
+    }
+  }
+  for (int y = all.y0; y < all.y1; y++) {
+    for (int x = all.x0; x < all.x1; x++) blend(x, y, color, width / 2 - nearest_at(x, y));
+  }
+}
+
+void Canvas::number(Place centre, double height, std::string_view text, const Color& color) {
+  const double unit = height / 6, advance = 6 * unit;
+  double left = centre.first - (advance * static_cast<double>(text.size()) - 2 * unit) / 2;
+  const double top = centre.second - height / 2;
+  for (const char character : text) {
+    std::vector<Place> stroke;
+    const std::string_view strokes = strokes_of(character);
+    for (std::size_t i = 0; i < strokes.size(); i++) {
+      if (strokes[i] == ' ') {
+        curve(stroke, 0.13 * height, color);
+        stroke.clear();
+        continue;
+      }
+      const double x = strokes[i] - '0', y = strokes[++i] - '0';
+      stroke.emplace_back(left + x * unit, top + y * unit);
+    }
+    curve(stroke, 0.13 * height, color);
+    left += advance;
+  }
+}
+
+}  // namespace penumbra

@@ -97,10 +97,10 @@ picture shadow-50          lecture/chair_disk.cli --rays 1 --shadow-rays 50 --sa
 # Pages 46 to 57: depth of field
 picture lens-model         lecture/lens_model.cli --transparent-shadows
 picture focus-pinhole      lecture/dominoes_pinhole.cli --rays 64
-picture focus-near         lecture/dominoes_near.cli --rays 100
-picture focus-middle       lecture/dominoes_middle.cli --rays 100
-picture focus-far          lecture/dominoes_far.cli --rays 100
-picture focus-cone         lecture/dominoes_middle.cli --rays 100 --lens-model cone
+picture focus-near         lecture/dominoes_near.cli --rays 196
+picture focus-middle       lecture/dominoes_middle.cli --rays 196
+picture focus-far          lecture/dominoes_far.cli --rays 196
+picture focus-cone         lecture/dominoes_middle.cli --rays 196 --lens-model cone
 
 # Pages 58 to 61: motion blur
 picture train-0            lecture/train_open.cli --rays 16 --time 0

@@ -18,7 +18,7 @@ picture() {
   "$penumbra" render "scenes/$scene" "$@" --quiet -o "$folder/$name.png"
 }
 
-# A detail: 64 x 48 pixels of such a picture, each as a square of five by five.
+# An enlarged detail: 64 x 48 pixels of such a picture, each as a square of five by five.
 detail() {
   picture "$@" --crop 84,120,148,168
   [[ $1 == *"$wanted"* ]] || return 0
@@ -100,7 +100,8 @@ picture focus-pinhole      lecture/dominoes_pinhole.cli --rays 64
 picture focus-near         lecture/dominoes_near.cli --rays 196
 picture focus-middle       lecture/dominoes_middle.cli --rays 196
 picture focus-far          lecture/dominoes_far.cli --rays 196
-picture focus-cone         lecture/dominoes_middle.cli --rays 196 --lens-model cone
+picture focus-thin-detail  lecture/dominoes_middle.cli --rays 196 --size 480x480 --crop 10,170,250,410
+picture focus-cone-detail  lecture/dominoes_middle.cli --rays 196 --size 480x480 --crop 10,170,250,410 --lens-model cone
 
 # Pages 58 to 61: motion blur
 picture train-0            lecture/train_open.cli --rays 16 --time 0

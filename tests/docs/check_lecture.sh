@@ -52,7 +52,7 @@ check_pictures() {
 # The page shows the pictures that the script makes, all of them, with the commands that make them.
 check_page() {
   local name rest kind command crop
-  crop=$(sed -n 's/.*\(--crop [0-9,]*\).*/\1/p' "$script")
+  crop=$(sed -n 's/^ *picture "$@" \(--crop [0-9,]*\)$/\1/p' "$script")
   while read -r name; do
     commands | cut -d ' ' -f 2 | grep -qxF "$name" || fault "$page shows $name, which $script does not make"
   done < <(grep -oE 'images/lecture/[^)]*\.png' "$page" | sed 's|.*/||; s|\.png$||' | sort -u)

@@ -45,10 +45,7 @@ ImageFile develop(const Film& film, int full_width, int full_height, const std::
   if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());
   if (layers.albedo) add_layer(file, "albedo", "RGB", film.albedo());
   if (layers.variance) add_layer(file, "variance", "RGB", film.variance());
-  if (layers.samples) {
-    const std::size_t pixels = file.image.rgb.size() / 3;
-    add_layer(file, "samples", "Y", std::vector<float>(pixels, static_cast<float>(film.samples())));
-  }
+  if (layers.samples) add_layer(file, "samples", "Y", film.pixel_samples());
   return file;
 }
 

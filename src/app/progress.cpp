@@ -60,8 +60,9 @@ void Progress::run() {
 void Progress::show(bool last) {
   shown_ = true;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double done =
-      total_ == 0 ? 1 : static_cast<double>(state_.pixel_samples_done.load()) / static_cast<double>(total_);
+  const std::uint64_t expected = state_.pixel_samples_expected.load();
+  const auto total = static_cast<double>(expected > 0 ? expected : total_);
+  const double done = total == 0 ? 1 : static_cast<double>(state_.pixel_samples_done.load()) / total;
   const double remaining = done > 0 ? elapsed / done - elapsed : INFINITY;
   const double rate = static_cast<double>(state_.rays.load()) / std::max(elapsed, 1e-9);
   if (style_ == ProgressStyle::json) {

@@ -14,7 +14,8 @@ namespace penumbra {
 
 class Progress {
  public:
-  // `total` is in pixel samples, as in RenderState. Style `automatic` is a bar on a terminal, plain lines elsewhere.
+  // `total` is in pixel samples, as in RenderState, and counts until the state expects another number. Style
+  // `automatic` is a bar on a terminal, plain lines elsewhere.
   Progress(ProgressStyle style, const RenderState& state, std::uint64_t total);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -13,6 +13,7 @@
 #include "base/atomic_file.hpp"
 #include "image/image_file.hpp"
 #include "language/scene_file.hpp"
+#include "rendering/adaptive.hpp"
 #include "rendering/isa.hpp"
 #include "rendering/render.hpp"
 
@@ -35,6 +36,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 
 // The scene with what the command line says in place of its own words.
 Scene with_options(Scene scene, const RenderOptions& options) {
+  if (options.noise) scene.rays_per_pixel = static_cast<int>(NoiseGoal().most_rays);  // the scene's own is no limit
   if (options.rays) scene.rays_per_pixel = *options.rays;
   if (options.size) std::tie(scene.width, scene.height) = *options.size;
   if (options.max_depth) scene.max_depth = *options.max_depth;
@@ -90,6 +92,7 @@ Metadata metadata_for(const Scene& scene, const TracingOptions& tracing, const R
     const Crop& c = *options.crop;
     metadata.emplace_back("crop", fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1));
   }
+  if (options.noise) metadata.emplace_back("noise", fmt::format("{}", *options.noise));
   if (options.time) metadata.emplace_back("time", fmt::format("{}", *options.time));
   if (options.course) metadata.emplace_back("course", "yes");
   if (options.lenient) metadata.emplace_back("lenient", "yes");
@@ -150,6 +153,13 @@ class RenderRun {
                    scene.height);
         return exit_usage;
       }
+      if (const Pattern pattern = pattern_for(scene, options_); options_.noise && needs_count(pattern)) {
+        fmt::print(stderr,
+                   "penumbra: --noise needs a sample pattern that can go on, and `{}` is made for one number of rays; "
+                   "use --sampler {}\n",
+                   pattern_names[static_cast<int>(pattern)], pattern_names[static_cast<int>(default_pattern)]);
+        return exit_usage;
+      }
       for (const std::filesystem::path& path : files[number++]) {
         if (format_of(path) == ImageFormat::none) {
           fmt::print(stderr,
@@ -181,18 +191,33 @@ class RenderRun {
     stats_.build_seconds += seconds_since(start);
 
     start = Clock::now();
-    Film film(plan.crop, plan.layers);
+    Film film(plan.crop, plan.layers, options_.noise ? SampleCounts::per_pixel : SampleCounts::uniform);
     const Kernel& kernel = *usable_kernels().back();
     RenderState state;
-    RayCounts rays;
+    AdaptiveResult result;
+    const auto most_rays = static_cast<std::uint32_t>(scene.rays_per_pixel);
+    const auto pixels = static_cast<std::uint64_t>(plan.crop.width()) * static_cast<std::uint64_t>(plan.crop.height());
     {
-      const auto samples = static_cast<std::uint64_t>(plan.crop.width()) * plan.crop.height() * scene.rays_per_pixel;
-      const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, samples);
-      rays = render_samples(film, frame, kernel, plan, {0, static_cast<std::uint32_t>(scene.rays_per_pixel)}, state);
-      stats_.samples += samples;
+      const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, pixels * most_rays);
+      if (options_.noise) {
+        const NoiseGoal goal{static_cast<float>(*options_.noise), most_rays};
+        result = render_adaptive(film, frame, kernel, plan, goal, state);
+      } else {
+        result.rays = render_samples(film, frame, kernel, plan, {0, most_rays}, state);
+      }
     }
+    const RayCounts& rays = result.rays;
+    stats_.samples += rays.camera;
     const double render_seconds = seconds_since(start);
     stats_.render_seconds += render_seconds;
+    if (result.unfinished_pixels > 0 && !options_.quiet) {
+      fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
+                 result.unfinished_pixels, pixels, most_rays, *options_.noise);
+    }
+    const std::string rays_per_pixel =
+        options_.noise ? fmt::format("{:.1f} rays per pixel on average",
+                                     static_cast<double>(film.total_samples()) / static_cast<double>(pixels))
+                       : fmt::format("{} rays per pixel", most_rays);
 
     start = Clock::now();
     const ImageFile image =
@@ -202,9 +227,8 @@ class RenderRun {
       write_image(path, image, quantization);
       if (!options_.quiet) {
         const double rate = static_cast<double>(rays.total()) / std::max(render_seconds, 1e-9);
-        fmt::print(stderr, "{}: {}x{} pixels, {} rays per pixel, {}, {:.1f} Mrays/s\n", path.string(),
-                   plan.crop.width(), plan.crop.height(), scene.rays_per_pixel, duration_text(render_seconds),
-                   rate * 1e-6);
+        fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
+                   plan.crop.height(), rays_per_pixel, duration_text(render_seconds), rate * 1e-6);
       }
     }
     stats_.write_seconds += seconds_since(start);
@@ -218,6 +242,7 @@ class RenderRun {
     stats_.isa = kernel.isa;
     stats_.sampler = pattern_names[static_cast<int>(frame.options.pattern)];
     stats_.seed = frame.options.seed;
+    stats_.noise = options_.noise;
     stats_.width = frame.width;
     stats_.height = frame.height;
     stats_.shapes = frame.world.shape_count;

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "image/image_file.hpp"
+#include "rendering/adaptive.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {
@@ -92,6 +93,13 @@ void check_outputs(const RenderOptions& options) {
   }
 }
 
+void check_noise(const RenderOptions& options) {
+  if (options.noise && options.rays && *options.rays < static_cast<int>(fewest_adaptive_rays)) {
+    throw CLI::ValidationError(
+        "--rays", fmt::format("with --noise it is the most rays a pixel gets, {} at least", fewest_adaptive_rays));
+  }
+}
+
 }  // namespace
 
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
@@ -100,7 +108,21 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   render->add_option("-o,--output", options.outputs, "A file for the picture, .png or .exr; may be repeated")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  render->add_option("--rays", options.rays, "Rays per pixel [the scene's, else 1]")->check(CLI::Range(1, 1 << 24));
+  render
+      ->add_option("--rays", options.rays,
+                   "Rays per pixel; with --noise, the most [the scene's, else 1; with --noise 65536]")
+      ->check(CLI::Range(1, 1 << 24));
+  render
+      ->add_option("--noise", options.noise,
+                   "As many rays as each pixel needs for this standard error, colours being 0..1 [off]")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double error = 0;
+            const bool good = CLI::detail::lexical_cast(text, error) && error >= 1e-5 && error <= 1;
+            return good ? std::string() : fmt::format("expected an error from 1e-5 to 1; found `{}`", text);
+          },
+          ""))
+      ->type_name("E");
   render
       ->add_option_function<std::string>(
           "--size", [&options](const std::string& s) { set_size(options, s); },
@@ -185,7 +207,10 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
       ->type_name("STYLE");
   render->add_option("--stats", options.stats, "Write what the render did, as JSON")->type_name("FILE.json");
   render->add_flag("--quiet", options.quiet, "Print nothing but errors [off]");
-  render->final_callback([&options] { check_outputs(options); });
+  render->final_callback([&options] {
+    check_outputs(options);
+    check_noise(options);
+  });
   return render;
 }
 

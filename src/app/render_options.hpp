@@ -26,6 +26,7 @@ struct RenderOptions {
   std::optional<int> reflection_rays, transmission_rays, shadow_rays;
   std::optional<std::uint32_t> seed;
   std::optional<double> time;
+  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<Pattern> sampler;
   std::optional<std::pair<int, int>> size;
   std::optional<Crop> crop;

@@ -28,6 +28,7 @@ std::string to_json(const RenderStats& s) {
   json["isa"] = s.isa;
   json["sampler"] = s.sampler;
   json["seed"] = s.seed;
+  if (s.noise) json["noise"] = *s.noise;
   json["size"] = {s.width, s.height};
   json["peak_memory_bytes"] = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   json["shapes"] = s.shapes;

@@ -1,6 +1,7 @@
 // What a render did, in numbers: the JSON of `--stats`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "rendering/render.hpp"
@@ -10,11 +11,12 @@ namespace penumbra {
 struct RenderStats {
   double parse_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   RayCounts rays;
-  std::uint64_t samples = 0;  // pixels times rays per pixel
+  std::uint64_t samples = 0;  // of all pixels: camera rays
   int threads = 0;
   int lanes = 0;
   std::string isa, sampler;
   std::uint32_t seed = 0;
+  std::optional<double> noise;  // where the render was adaptive
   int width = 0, height = 0;
   std::uint64_t shapes = 0, triangles = 0, instances = 0, lights = 0;
 };

@@ -11,6 +11,7 @@ struct Crop {
 
   int width() const { return x1 - x0; }
   int height() const { return y1 - y0; }
+  bool operator==(const Crop&) const = default;
 };
 
 // The layers beside the colour that can be asked for.

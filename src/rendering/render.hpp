@@ -12,7 +12,8 @@ namespace penumbra {
 
 // Shared with whoever watches or stops a render.
 struct RenderState {
-  std::atomic<std::uint64_t> pixel_samples_done{0};  // pixels times samples
+  std::atomic<std::uint64_t> pixel_samples_done{0};      // pixels times samples
+  std::atomic<std::uint64_t> pixel_samples_expected{0};  // in all; 0: whoever renders does not know better
   std::atomic<std::uint64_t> rays{0};
   std::atomic<bool> stop{false};  // ends the render after the tiles under way
 };

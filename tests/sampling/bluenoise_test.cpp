@@ -96,7 +96,7 @@ struct LowShare {
 };
 LowShare low_share(Pattern pattern, std::size_t rays, double band) {
   std::vector<double> own(integrands.size()), white(integrands.size());
-  for (std::uint32_t seed = 0; seed < 4; seed++) {
+  for (std::uint32_t seed = 0; seed < 2; seed++) {
     const Dimensions dimensions = all_dimensions[seed % 2 == 0 ? 0 : 3];
     const auto pictures = estimates(pattern, rays, dimensions, seed);
     const auto random = estimates(Pattern::random, rays, dimensions, seed + 100);
@@ -131,7 +131,7 @@ TEST(BlueNoise, OtherPatternsAreNotQuiet) {
 
 // Point `index` of one pixel over many seeds.
 TEST(BlueNoise, EachPointIsUniformOverTheSeeds) {
-  const int seeds = scaled(20000, 4000);
+  const int seeds = scaled(8000, 4000);
   const double limit = normal_limit(3 * 2 * 3);
   for (const Dimensions dimensions : {all_dimensions[0], all_dimensions[1], all_dimensions[3]}) {
     std::vector<std::vector<int>> counts(6, std::vector<int>(256));

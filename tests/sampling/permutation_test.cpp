@@ -33,7 +33,7 @@ TEST(Permutations, MeetEveryIndexOnce) {
   }
   if (!slow_build) lengths.push_back((1u << 20) + 1);
   for (const std::uint32_t length : lengths) {
-    for (const std::uint32_t key : {0u, 1u, 0xffffffffu, 0x9e3779b9u}) {
+    for (const std::uint32_t key : {0u, 1u, 0x9e3779b9u}) {
       std::vector<char> met(length);
       for (const std::uint32_t place : whole(length, key)) {
         ASSERT_LT(place, length);
@@ -94,7 +94,7 @@ std::vector<int> triples(std::uint32_t length, const std::vector<std::uint32_t>&
 TEST(Permutations, AllTriplesAreEquallyLikely) {
   const std::uint32_t lengths[] = {8, 16, 17, 24, 32, 33, 40};
   const double limit = normal_limit(3 * std::size(lengths));
-  const std::size_t keys = scaled(500000, 100000);
+  const std::size_t keys = scaled(300000, 100000);
   for (const std::uint32_t n : lengths) {
     for (const auto& [a, b, c] : {std::array{0u, 1u, 2u}, {0u, n / 2, n - 1}, {n - 3, n - 2, n - 1}}) {
       const std::vector<int> counts = triples(n, by_key(a, n, keys, 0), by_key(b, n, keys, 0), by_key(c, n, keys, 0));

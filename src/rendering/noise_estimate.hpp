@@ -1,0 +1,74 @@
+// The standard error of a pixel's mean, told by its own samples. Stratified samples are not independent: their spread
+// says nothing of the error of their mean, which is much smaller. What does is how far the means of parts of them are
+// apart. The samples are a sequence whose aligned blocks of 2^k are point sets of one kind, and the variance of a
+// block's mean falls by one factor, the rate r, whenever the block doubles: r = 2 for independent samples, up to 8 for
+// nets and smooth functions (Owen 1997). Of a mean of variance V, the two halves then differ by 4 (r - 1) V in the mean
+// square, and the quarters of one half by r times as much.
+//
+// One pixel has three such differences only, so its neighbours have a say: in the rate, and in the variance.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace penumbra {
+
+// Sums of r, g, b over a block of samples.
+using ColorSum = std::array<double, 3>;
+
+ColorSum operator+(const ColorSum& a, const ColorSum& b);
+ColorSum operator-(const ColorSum& a, const ColorSum& b);
+
+// The square of the difference of two colours.
+struct SquaredDifference {
+  float clamped = 0;           // as a screen shows them: each clamped to 0..1; the mean over r, g, b
+  std::array<float, 3> rgb{};  // as they are
+
+  SquaredDifference& operator+=(const SquaredDifference& other);
+};
+SquaredDifference operator*(const SquaredDifference& d, float factor);
+
+// Of the means of two blocks of `samples` each.
+SquaredDifference squared_difference(const ColorSum& a, const ColorSum& b, double samples);
+
+// What is kept of a pixel's samples.
+struct PixelNoise {
+  SquaredDifference halves;       // the first against the second half
+  SquaredDifference quarters;     // the quarters of a half against each other: the mean over the halves known
+  std::uint8_t halves_known = 0;  // for how many halves; 0: there is no such pixel
+  std::uint8_t level = 0;         // log2 of the number of samples
+
+  std::uint32_t samples() const { return 1u << level; }
+};
+
+// From four blocks of 2^level / 4 samples each.
+PixelNoise first_noise(const std::array<ColorSum, 4>& blocks, int level);
+
+// After as many samples again, `added`. Where these came in two parts, their squared difference is `added_quarters`.
+PixelNoise doubled_noise(const PixelNoise& old, const ColorSum& before, const ColorSum& added,
+                         const SquaredDifference* added_quarters);
+
+// The pixels of a tile and those around it.
+inline constexpr int noise_tile_size = 16;
+inline constexpr int noise_reach = 2;  // how far away a pixel still has a say
+inline constexpr int noise_window_size = noise_tile_size + 2 * noise_reach;
+using NoiseWindow = std::array<PixelNoise, noise_window_size * noise_window_size>;
+
+// Rates that there can be.
+struct NoiseRates {
+  float lowest, expected, highest;
+};
+inline constexpr NoiseRates rates_of_independent_samples{2, 2, 2};
+inline constexpr NoiseRates rates_of_nets{2, 2.3f, 3.2f};
+
+struct NoiseEstimate {
+  float rate;
+  float squared_error;            // of the clamped colours, the mean over r, g, b
+  std::array<float, 3> variance;  // of the colours as they are
+};
+
+// Of the pixel at `place` of the window, which is at least `noise_reach` pixels from its rim.
+NoiseEstimate estimate_noise(const NoiseWindow& window, std::size_t place, const NoiseRates& rates);
+
+}  // namespace penumbra

@@ -1,0 +1,377 @@
+// Adaptive rendering: the picture is as good as was asked for, the estimate of its error is honest, the rays go where
+// the noise is, and nothing of how it was rendered shows.
+#include "rendering/adaptive.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/test_scale.hpp"
+#include "rendering/noise_estimate.hpp"
+#include "rendering/render_text.hpp"
+
+namespace penumbra::test {
+namespace {
+
+struct AdaptivePicture {
+  Film film;
+  AdaptiveResult result;
+
+  double samples_per_pixel() const {
+    return static_cast<double>(film.total_samples()) / (film.crop().width() * film.crop().height());
+  }
+};
+
+AdaptivePicture render_noise(Scene scene, const NoiseGoal& goal, const RenderSettings& settings = {}) {
+  scene.rays_per_pixel = static_cast<int>(goal.most_rays);
+  const Frame frame = frame_from(scene, settings);
+  Plan plan;
+  plan.crop = settings.crop.value_or(Crop{0, 0, scene.width, scene.height});
+  plan.layers = settings.layers;
+  plan.threads = settings.threads;
+  Film film(plan.crop, plan.layers, SampleCounts::per_pixel);
+  RenderState state;
+  const Kernel& kernel = settings.kernel ? *settings.kernel : *usable_kernels().back();
+  const AdaptiveResult result = render_adaptive(film, frame, kernel, plan, goal, state);
+  return {std::move(film), result};
+}
+
+AdaptivePicture render_noise(const std::string& text, const NoiseGoal& goal, const RenderSettings& settings = {}) {
+  return render_noise(scene_from(text, settings), goal, settings);
+}
+
+// Many rays, of another seed.
+std::vector<float> converged(const std::string& text, int rays) {
+  Scene scene = scene_from(text);
+  scene.rays_per_pixel = rays;
+  scene.seed = 12345;
+  return render_scene(scene).color;
+}
+
+double rmse_clamped(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); i++) {
+    const double d = std::clamp(double{a[i]}, 0.0, 1.0) - std::clamp(double{b[i]}, 0.0, 1.0);
+    sum += d * d;
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+// A ball over a floor under two disk lights: soft shadows, edges, flat ground.
+std::string shadow_text(int width, int height) {
+  return fmt::format(
+      "image_size {} {}\nfov 50\nbackground 0.2 0.4 0.8\ndisk_light 2 5 -4 0.9 0 -1 0 0.8 0.8 0.8\n"
+      "disk_light -5 5 0 1.5 0 -1 0 0.3 0.25 0.2\nsurface 0.7 0.7 0.7\nbox -40 -2 -60 40 -1 10\n"
+      "glossy 0.6 0.2 0.2 0.3 0.3 0.3 50 0 0\nsphere 1 0 0 -4\n",
+      width, height);
+}
+
+// Blurred mirrors, a lens, and motion.
+std::string blur_text(int width, int height) {
+  return fmt::format(
+      "image_size {} {}\nfov 50\nbackground 0.1 0.2 0.4\nlens 0.1 4\nlight 3 5 0 0.8 0.8 0.7\n"
+      "glossy 0.2 0.2 0.2 0.4 0.4 0.4 60 0.5 0.1\nbox -40 -2 -60 40 -1 10\n"
+      "diffuse 0.7 0.3 0.1 0.1 0.05 0\nsphere 0.7 -0.8 -0.3 -4\nmoving_object 0.4 0.2 0\n"
+      "diffuse 0.1 0.5 0.3 0 0 0\nsphere 0.5 1 -0.5 -6\nsphere 0.3 0.4 -0.7 -2.5\n",
+      width, height);
+}
+
+// Specks and hair lines, each a small part of a pixel, some much brighter than a pixel can show.
+std::string specks_text(int width, int height) {
+  std::string text = fmt::format("image_size {} {}\nfov 50\nbackground 0.05 0.06 0.1\n", width, height);
+  std::mt19937 random(3);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int i = 0; i < 12; i++) {
+    const double brightness = i % 3 == 0 ? 6 : 1;
+    text += fmt::format("diffuse 0 0 0 {0} {0} {0}\nsphere {1} {2} {3} -6\n", brightness, 0.008 + 0.02 * uniform(),
+                        5 * uniform() - 2.5, 4 * uniform() - 2);
+  }
+  return text + "diffuse 0 0 0 0.9 0.8 0.7\npush\nrotatez 21\nbox -4 1 -6.01 4 1.012 -6\npop\n";
+}
+
+std::string all_effects_text() {
+  return R"(image_size 53 37
+fov 55
+background 0.2 0.3 0.5
+lens 0.05 5
+disk_light -4 6 0 1.5 0.5 -1 0 0.4 0.5 0.6
+light 3 5 2 0.5 0.4 0.3
+surface 0.6 0.6 0.6
+box -20 -2 -40 20 -1 20
+glossy 0.4 0.3 0.2 0.5 0.5 0.5 30 0.4 0.2
+sphere 0.9 -1 -0.1 -5
+moving_object 0.5 0.2 0
+translucent 0.1 0.2 0.1 0.4 0.4 0.4 60 0.2 0.1 0.6 1.5 0.05
+box 0.5 -0.5 -5 1.5 0.5 -4
+)";
+}
+
+struct AllValues {
+  std::vector<float> color, depth, normal, albedo, variance, samples;
+  bool operator==(const AllValues&) const = default;
+};
+
+AllValues values_of(const Film& film) {
+  return {film.color(), film.depth(), film.normal(), film.albedo(), film.variance(), film.pixel_samples()};
+}
+
+const Layers all_layers{true, true, true, true, true};
+
+TEST(Adaptive, ThreadsAndInstructionSetsDoNotShow) {
+  const NoiseGoal goal{scaled(1, 2) * 0.02f, 4096};
+  for (const Pattern pattern : {Pattern::sobol, Pattern::random}) {
+    RenderSettings settings;
+    settings.layers = all_layers;
+    settings.pattern = pattern;
+    settings.threads = 1;
+    settings.kernel = usable_kernels().front();
+    const AllValues one = values_of(render_noise(all_effects_text(), goal, settings).film);
+    for (const Kernel* kernel : usable_kernels()) {
+      settings.kernel = kernel;
+      for (const int threads : {1, 2, 3}) {
+        settings.threads = threads;
+        EXPECT_TRUE(values_of(render_noise(all_effects_text(), goal, settings).film) == one)
+            << kernel->isa << " " << threads;
+      }
+    }
+  }
+}
+
+TEST(Adaptive, CropsAreTheSamePixels) {
+  const NoiseGoal goal{scaled(1, 2) * 0.02f, 4096};
+  RenderSettings settings;
+  settings.layers = all_layers;
+  const AllValues full = values_of(render_noise(all_effects_text(), goal, settings).film);
+  for (const Crop crop : {Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{16, 16, 32, 32}}) {
+    settings.crop = crop;
+    const AllValues part = values_of(render_noise(all_effects_text(), goal, settings).film);
+    const auto expect_same = [&](const std::vector<float>& a, const std::vector<float>& b, int channels) {
+      int different = 0;
+      for (int i = 0; i < crop.width() * crop.height() * channels; i++) {
+        const int x = i / channels % crop.width() + crop.x0, y = i / channels / crop.width() + crop.y0;
+        const float whole = b[static_cast<std::size_t>((y * 53 + x) * channels + i % channels)];
+        different += a[static_cast<std::size_t>(i)] != whole;
+      }
+      EXPECT_EQ(different, 0) << crop.x0 << " " << crop.y0;
+    };
+    expect_same(part.color, full.color, 3);
+    expect_same(part.depth, full.depth, 1);
+    expect_same(part.normal, full.normal, 3);
+    expect_same(part.albedo, full.albedo, 3);
+    expect_same(part.variance, full.variance, 3);
+    expect_same(part.samples, full.samples, 1);
+  }
+}
+
+TEST(Adaptive, ThePictureIsAsGoodAsAskedFor) {
+  constexpr int width = scaled(48, 24), height = scaled(36, 18);
+  for (const std::string& text : {shadow_text(width, height), blur_text(width, height), specks_text(width, height)}) {
+    const std::vector<float> truth = converged(text, scaled(4096, 512));
+    double samples_before = 0;
+    for (const float error : {0.02f, 0.01f}) {
+      const AdaptivePicture picture = render_noise(text, {error, 1 << 16});
+      EXPECT_LT(rmse_clamped(picture.film.color(), truth), 1.2 * error);
+      EXPECT_EQ(picture.result.unfinished_pixels, 0u);
+      EXPECT_GT(picture.samples_per_pixel(), samples_before);
+      EXPECT_EQ(picture.result.rays.camera, picture.film.total_samples());
+      samples_before = picture.samples_per_pixel();
+    }
+  }
+}
+
+// Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
+TEST(Adaptive, SpecksAreFound) {
+  constexpr int size = 48;
+  // Squares of a fifth of a pixel's area, once every eight pixels, wherever in their pixel.
+  std::string text = fmt::format("image_size {0} {0}\nfov 90\ndiffuse 0 0 0 1 1 1\n", size);
+  std::mt19937 random(11);
+  int specks = 0;
+  for (int y = 4; y < size; y += 8) {
+    for (int x = 4; x < size; x += 8, specks++) {
+      const double side = std::sqrt(0.2), px = x + (1 - side) * static_cast<double>(random()) / 4294967296.0,
+                   py = y + (1 - side) * static_cast<double>(random()) / 4294967296.0;
+      const auto coordinate = [&](double pixel) { return (pixel - size / 2) * 2 / size; };
+      text += fmt::format("box {} {} -1.0000001 {} {} -1\n", coordinate(px), -coordinate(py + side),
+                          coordinate(px + side), -coordinate(py));
+    }
+  }
+  const AdaptivePicture picture = render_noise(text, {0.02f, 4096});
+  const std::vector<float> color = picture.film.color(), samples = picture.film.pixel_samples();
+  double sum = 0;
+  int far_from_truth = 0, lit = 0;
+  for (std::size_t i = 0; i < samples.size(); i++) {
+    const double value = color[3 * i];
+    sum += value;
+    lit += value > 0;
+    far_from_truth += value > 0 && std::abs(value - 0.2) > 0.06;  // three times the goal
+  }
+  EXPECT_EQ(lit, specks);
+  EXPECT_EQ(far_from_truth, 0);
+  EXPECT_NEAR(sum / specks, 0.2, 0.02);
+}
+
+TEST(Adaptive, MoreRaysWhereTheNoiseIs) {
+  // A bright half plane, its edge at an angle through the middle of the picture.
+  const AdaptivePicture picture = render_noise(
+      "image_size 64 64\nfov 60\nbackground 0.1 0.1 0.1\ndiffuse 0 0 0 1 1 1\npush\nrotatez 17\n"
+      "box 0 -99 -6 99 99 -5\npop\n",
+      {0.01f, 4096});
+  const std::vector<float> samples = picture.film.pixel_samples(), color = picture.film.color();
+  double edge = 0, flat = 0;
+  int edge_pixels = 0, flat_pixels = 0;
+  const auto at = [](int x, int y) { return static_cast<std::size_t>(y * 64 + x); };
+  for (int y = 0; y < 64; y++) {
+    for (int x = 4; x < 60; x++) {
+      const float left = color[3 * at(x - 4, y)], here = color[3 * at(x, y)], right = color[3 * at(x + 4, y)];
+      if (left == here && here == right) {
+        flat += samples[at(x, y)];
+        flat_pixels++;
+        EXPECT_EQ(samples[at(x, y)], 16) << x << " " << y;  // the first round's, and no more
+      } else if (here > 0.3f && here < 0.8f) {
+        edge += samples[at(x, y)];
+        edge_pixels++;
+      }
+    }
+  }
+  ASSERT_GT(flat_pixels, 1000);
+  ASSERT_GT(edge_pixels, 20);
+  EXPECT_GT(edge / edge_pixels, 4 * flat / flat_pixels);
+}
+
+// The mean of the estimated variances is the mean square of the true errors, within a factor of 1.6. The variance that
+// independent samples of the same spread would have is not.
+TEST(Adaptive, TheVarianceIsHonest) {
+  constexpr int width = scaled(64, 32), height = scaled(48, 24);
+  struct Case {
+    std::string text;
+    Pattern pattern;
+  };
+  for (const Case& c :
+       {Case{shadow_text(width, height), Pattern::sobol}, Case{blur_text(width, height), Pattern::sobol},
+        Case{blur_text(width, height), Pattern::random}}) {
+    const std::vector<float> truth = converged(c.text, scaled(4096, 1024));
+    RenderSettings settings;
+    settings.layers.variance = true;
+    settings.pattern = c.pattern;
+    for (const float error : {0.03f, 0.015f}) {
+      const AdaptivePicture picture = render_noise(c.text, {error, 1 << 16}, settings);
+      const std::vector<float> color = picture.film.color(), variance = picture.film.variance();
+      double estimated = 0, squared_errors = 0;
+      for (std::size_t i = 0; i < color.size(); i++) {
+        estimated += variance[i];
+        squared_errors += (color[i] - truth[i]) * (color[i] - truth[i]);
+      }
+      EXPECT_GT(squared_errors / estimated, 1 / 1.6) << error;
+      EXPECT_LT(squared_errors / estimated, 1.6) << error;
+    }
+  }
+  Scene scene = scene_from(shadow_text(width, height));
+  scene.rays_per_pixel = 64;
+  RenderSettings settings;
+  settings.layers.variance = true;
+  const Picture3 uniform = render_scene(scene, settings);
+  const std::vector<float> truth = converged(shadow_text(width, height), scaled(4096, 1024));
+  const std::vector<float> as_if_independent = uniform.film.variance();
+  double independent = 0, squared_errors = 0;
+  for (std::size_t i = 0; i < truth.size(); i++) {
+    independent += as_if_independent[i];
+    squared_errors += (uniform.color[i] - truth[i]) * (uniform.color[i] - truth[i]);
+  }
+  EXPECT_LT(squared_errors / independent, 1 / 1.6);
+}
+
+TEST(Adaptive, TheMostRays) {
+  RenderSettings settings;
+  for (const std::uint32_t most : {4u, 7u, 64u, 100u}) {
+    const AdaptivePicture picture = render_noise(shadow_text(32, 24), {1e-4f, most}, settings);
+    EXPECT_GT(picture.result.unfinished_pixels, 100u);
+    for (const float samples : picture.film.pixel_samples()) EXPECT_LE(samples, static_cast<float>(most));
+  }
+  // Of a crop, its own pixels only.
+  settings.crop = Crop{3, 4, 6, 6};
+  EXPECT_LE(render_noise(blur_text(32, 24), {1e-5f, 64}, settings).result.unfinished_pixels, 6u);
+}
+
+TEST(Adaptive, StopEndsIt) {
+  Scene scene = scene_from(shadow_text(32, 24));
+  scene.rays_per_pixel = 1 << 16;
+  const Frame frame = frame_from(scene);
+  const Plan plan{{0, 0, 32, 24}, {}, 2};
+  Film film(plan.crop, plan.layers, SampleCounts::per_pixel);
+  RenderState state;
+  state.stop = true;
+  const AdaptiveResult result = render_adaptive(film, frame, *usable_kernels().back(), plan, {1e-5f, 1 << 16}, state);
+  EXPECT_EQ(result.rays.total(), 0u);
+}
+
+// Independent samples of variance s: blocks of them, doubled twice, must be told to have the variance s / n. A mean
+// over W windows of estimates from some 25 differences each has a relative standard error below sqrt(2 / (10 W)).
+TEST(NoiseEstimate, OfIndependentSamples) {
+  constexpr int windows = scaled(400, 100);
+  std::mt19937 random(7);
+  const auto sum_of = [&](std::uint32_t samples) {
+    ColorSum sum{};
+    for (std::uint32_t i = 0; i < samples; i++) {
+      for (double& c : sum) c += static_cast<double>(random()) / 4294967296.0;
+    }
+    return sum;
+  };
+  double after_first = 0, after_doubling = 0;
+  constexpr std::size_t middle = (noise_window_size + 1) * noise_window_size / 2;
+  for (int i = 0; i < windows; i++) {
+    NoiseWindow window{};
+    const auto for_block = [&](auto&& change) {
+      for (int y = -2; y <= 2; y++) {
+        for (int x = -2; x <= 2; x++) change(window[middle + static_cast<std::size_t>(y * noise_window_size + x)]);
+      }
+    };
+    std::vector<ColorSum> sums;
+    for_block([&](PixelNoise& pixel) {
+      const std::array<ColorSum, 4> blocks{sum_of(4), sum_of(4), sum_of(4), sum_of(4)};
+      sums.push_back(blocks[0] + blocks[1] + blocks[2] + blocks[3]);
+      pixel = first_noise(blocks, 4);
+    });
+    after_first += estimate_noise(window, middle, rates_of_independent_samples).variance[1];
+    std::size_t k = 0;
+    for_block([&](PixelNoise& pixel) {
+      const ColorSum a = sum_of(8), b = sum_of(8);
+      const SquaredDifference parts = squared_difference(a, b, 8);
+      pixel = doubled_noise(pixel, sums[k++], a + b, &parts);
+    });
+    after_doubling += estimate_noise(window, middle, rates_of_independent_samples).variance[1];
+  }
+  const double tolerance = 5 * std::sqrt(2.0 / (10 * windows));
+  EXPECT_NEAR(after_first / windows * 12 * 16, 1, tolerance);
+  EXPECT_NEAR(after_doubling / windows * 12 * 32, 1, tolerance);
+}
+
+// Of halves and quarters that differ as at rate r, the variance follows: V = d / (4 (r - 1)).
+TEST(NoiseEstimate, OfNets) {
+  NoiseWindow window{};
+  constexpr std::size_t middle = (noise_window_size + 1) * noise_window_size / 2;
+  const auto with_rate = [&](float rate) {
+    for (PixelNoise& pixel : window) {
+      pixel.level = 5;
+      pixel.halves_known = 2;
+      pixel.halves = {4 * (rate - 1), {4 * (rate - 1), 0, 0}};
+      pixel.quarters = pixel.halves * rate;
+    }
+    return estimate_noise(window, middle, {rate, rate, rate});
+  };
+  for (const float rate : {2.0f, 2.5f, 3.0f}) {
+    EXPECT_NEAR(with_rate(rate).squared_error, 1, 1e-5);
+    EXPECT_NEAR(with_rate(rate).variance[0], 1, 1e-5);
+    EXPECT_EQ(with_rate(rate).variance[1], 0);
+  }
+}
+
+// Colours beyond 0..1 look alike: no error there.
+TEST(NoiseEstimate, Clamps) {
+  const SquaredDifference d = squared_difference({20, 8, -4}, {40, 12, -8}, 10);
+  EXPECT_NEAR(d.clamped, 0.2 * 0.2 / 3, 1e-6);
+  EXPECT_NEAR(d.rgb[0], 4, 1e-6);
+}
+
+}  // namespace
+}  // namespace penumbra::test

@@ -1,0 +1,81 @@
+// `penumbra render --noise` as the user has it: what it writes, says and refuses.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/render_command.hpp"
+#include "base/test_folder.hpp"
+#include "image/image_file.hpp"
+
+namespace penumbra {
+namespace {
+
+class NoiseOption : public testing::Test {
+ protected:
+  NoiseOption() {
+    std::ofstream(scene_) << "image_size 20 20\nrays_per_pixel 2\nbackground 0.1 0.1 0.1\n"
+                             "diffuse 0 0 0 1 1 1\nsphere 1 0.1 0.2 -4\n";
+  }
+
+  // The exit code; what was printed is in `printed_`.
+  int render(const std::vector<std::string>& arguments) {
+    CLI::App app;
+    RenderOptions options;
+    add_render(app, options);
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    reversed.insert(reversed.end(), {scene_, "render"});
+    app.parse(std::move(reversed));
+    testing::internal::CaptureStderr();
+    const int exit_code = render_command(options);
+    printed_ = testing::internal::GetCapturedStderr();
+    return exit_code;
+  }
+
+  test::TestFolder folder_;
+  std::string scene_ = folder_ / "scene.cli", picture_ = folder_ / "out.exr", stats_ = folder_ / "stats.json";
+  std::string printed_;
+};
+
+TEST_F(NoiseOption, WritesWhereTheRaysWent) {
+  ASSERT_EQ(render({"--noise", "0.02", "--aov", "samples,variance", "-o", picture_, "--stats", stats_}), 0);
+  EXPECT_NE(printed_.find("rays per pixel on average"), std::string::npos) << printed_;
+  EXPECT_EQ(printed_.find("more noise"), std::string::npos) << printed_;
+  const ImageFile file = read_image(picture_);
+  double total = 0;
+  for (const Channel& layer : file.layers) {
+    if (layer.name != "samples.Y") continue;
+    for (const float samples : layer.values) total += samples;
+  }
+  const nlohmann::json stats = nlohmann::json::parse(std::ifstream(stats_));
+  EXPECT_EQ(stats["samples"].get<double>(), total);
+  EXPECT_EQ(stats["noise"].get<double>(), 0.02);
+  EXPECT_NE(std::find(file.metadata.begin(), file.metadata.end(), std::pair<std::string, std::string>("noise", "0.02")),
+            file.metadata.end());
+}
+
+TEST_F(NoiseOption, SaysThatTheMostRaysWereNotEnough) {
+  ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_}), 0);
+  EXPECT_NE(printed_.find("of 400 pixels got the most rays, 32,"), std::string::npos) << printed_;
+  ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_, "--quiet"}), 0);
+  EXPECT_EQ(printed_, "");
+}
+
+TEST_F(NoiseOption, RefusesWhatIsNoGood) {
+  for (const char* error : {"0", "-1", "nan", "inf", "2", "1e-9", "some", ""}) {
+    EXPECT_THROW(render({"--noise", error, "-o", picture_}), CLI::ValidationError) << error;
+  }
+  EXPECT_THROW(render({"--noise", "0.1", "--rays", "3", "-o", picture_}), CLI::ValidationError);
+}
+
+// Patterns that are made for one number of rays cannot go on.
+TEST_F(NoiseOption, RefusesPatternsThatNeedACount) {
+  for (std::size_t i = 0; i < std::size(pattern_names); i++) {
+    const int code = render({"--noise", "0.1", "--sampler", std::string(pattern_names[i]), "-o", picture_});
+    EXPECT_EQ(code, needs_count(static_cast<Pattern>(i)) ? 64 : 0) << pattern_names[i];
+  }
+}
+
+}  // namespace
+}  // namespace penumbra

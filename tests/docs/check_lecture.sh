@@ -44,7 +44,7 @@ check_pictures() {
     fi
     [ -f "scenes/${rest%% *}" ] || fault "$script: $name: there is no scenes/${rest%% *}"
     for word in $rest; do
-      [[ $word != --* ]] || grep -qE -- "^ +(-., ?)?$word[ :,]" <<< "$help" || fault "$script: $name: no option $word"
+      [[ $word != --* ]] || grep -qE -- "^ +(-., ?)?${word}[ :,]" <<< "$help" || fault "$script: $name: no option $word"
     done
   done < <(commands)
 }
@@ -54,7 +54,7 @@ check_page() {
   local name rest kind command crop
   crop=$(sed -n 's/^ *picture "$@" \(--crop [0-9,]*\)$/\1/p' "$script")
   while read -r name; do
-    commands | cut -d ' ' -f 2 | grep -qxF "$name" || fault "$page shows $name, which $script does not make"
+    commands | cut -d ' ' -f 2 | grep -xF "$name" > /dev/null || fault "$page shows $name, which $script does not make"
   done < <(grep -oE 'images/lecture/[^)]*\.png' "$page" | sed 's|.*/||; s|\.png$||' | sort -u)
   while read -r kind name rest; do
     grep -qF "(images/lecture/$name.png)" "$page" || fault "$page does not show $name"
@@ -84,5 +84,11 @@ check_code() {
   [ "$rows" -gt 0 ] || fault "$page does not say where the steps are in the code"
 }
 
-"check_$part"
+case $part in
+  scenes) check_scenes ;;
+  pictures) check_pictures ;;
+  page) check_page ;;
+  code) check_code ;;
+  *) fault "no part $part" ;;
+esac
 exit "$faults"

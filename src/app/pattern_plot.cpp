@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "image/canvas.hpp"
-#include "sampling/cells.hpp"
+#include "sampling/figures/cells.hpp"
 
 namespace penumbra {
 namespace {

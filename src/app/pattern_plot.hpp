@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "sampling/plane_point.hpp"
-#include "sampling/spacing.hpp"
-#include "sampling/spectrum.hpp"
+#include "sampling/figures/plane_point.hpp"
+#include "sampling/figures/spacing.hpp"
+#include "sampling/figures/spectrum.hpp"
 
 namespace penumbra {
 

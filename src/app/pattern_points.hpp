@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/plane_point.hpp"
+#include "sampling/figures/plane_point.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra {

@@ -98,6 +98,9 @@ void check_noise(const RenderOptions& options) {
     throw CLI::ValidationError(
         "--rays", fmt::format("with --noise it is the most rays a pixel gets, {} at least", fewest_adaptive_rays));
   }
+  if (options.noise && options.regular_lights) {
+    throw CLI::ValidationError("--sampler-light", "a regular set is made for one number of rays; leave out --noise");
+  }
 }
 
 }  // namespace

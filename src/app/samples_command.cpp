@@ -18,9 +18,9 @@
 #include "base/atomic_file.hpp"
 #include "image/image_file.hpp"
 #include "rendering/isa.hpp"
-#include "sampling/cells.hpp"
-#include "sampling/convergence.hpp"
-#include "sampling/discrepancy.hpp"
+#include "sampling/figures/cells.hpp"
+#include "sampling/figures/convergence.hpp"
+#include "sampling/figures/discrepancy.hpp"
 
 namespace penumbra {
 namespace {

@@ -1,31 +1,56 @@
 // `multijittered`: one point in each of `count` cells, as jittered ones, and also one in each of `count` columns and
 // `count` rows (Chiu, Shirley, Wang 1994); all rows of cells share one order within their columns and all columns one
-// within their rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013).
+// within their rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013). That is a
+// third less variance at edges than orders of their own would give, for more of it in smooth functions (N^-3/2 instead
+// of N^-2).
 //
-// Columns and rows hold one point each for any count; the cells do where count = rows * columns (strata.hpp). Where
-// some rows are longer, the columns are numbered through from a random one: no column prefers the long rows.
+// Where some rows of cells are longer (strata.hpp), the columns are dealt out to the long and the short rows as evenly
+// as whole columns can be, from a random start: then every point is in a column that its cell has a part of, and a
+// long row has each column with the same probability, which is what uniform density needs.
 #pragma once
 
 #include "sampling/jittered.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
+// Of `rows` rows of `width` cells, all long or all short, the column of the point in column `cell` of the row that is
+// the `rank`-th in the order of rows, by the start 0 <= t < count. It is the whole part of (i count + t) / (rows width)
+// where i = cell rows + rank; no number on the way is much above the count. Columns of long and of short rows together
+// are all columns, once each, if the one start is count - 1 - t for the other's t.
+PENUMBRA_INLINE Ints column_in_rows(const Strata& strata, Mask is_long, Ints cell, Ints rank, Ints rows, Ints width,
+                                    Ints t) {
+  // count = all rows * width + excess, where the excess is negative for long rows: minus the number of short ones.
+  const Ints short_rows(strata.rows - strata.long_rows), long_rows(strata.long_rows);
+  const Ints excess = select(is_long, Ints(0) - short_rows, long_rows);
+  // rank * all rows / rows
+  const Ints places = rank * Ints(strata.rows);
+  const Ints whole = divide(places, rows);
+  const Ints part = places - whole * rows;
+  // cell * excess / width, rounded down
+  const Ints up = divide(cell * short_rows + width - Ints(1), width);
+  const Ints shift = select(is_long, Ints(0) - up, divide(cell * long_rows, width));
+  const Ints shift_part = cell * excess - shift * width;
+  const Ints cells = rows * width;
+  const Ints rest = part * width + shift_part * rows + rank * excess + t;  // above -cells
+  return cell * Ints(strata.rows) + whole + shift + divide(rest + cells, cells) - Ints(1);
+}
+
 inline Pair multijittered_pair(Ints key, Ints other_key, Ints index, std::uint32_t count) {
   const Strata strata(count);
   const Stratum stratum = stratum_at(strata, permute(index, count, mix_bits(key ^ Ints(0x3c6ef372u))));
   const Ints row_key = mix_bits(key ^ Ints(0x78dde6e4u)), column_key = mix_bits(other_key ^ Ints(0x1715609du));
   const std::uint32_t short_rows = strata.rows - strata.long_rows;
-  Ints row_rank = permute(stratum.row - Ints(strata.long_rows), short_rows, row_key) + Ints(strata.long_rows);
+  Ints row_rank = permute(stratum.row - Ints(strata.long_rows), short_rows, row_key);
   Ints column_rank = permute(stratum.column, strata.columns, column_key);
-  if (strata.long_rows != 0) {
-    // Of the points in one column of cells, those of the long rows come first.
-    row_rank = select(stratum.in_long_row, permute(stratum.row, strata.long_rows, row_key), row_rank);
-    column_rank = select(stratum.in_long_row, permute(stratum.column, strata.columns + 1, column_key), column_rank);
-  }
   Ints column = stratum.column * Ints(strata.rows) + row_rank;
   if (strata.long_rows != 0) {
-    column += pick(mix_bits(column_key), Ints(count));
-    column = select(column < Ints(count), column, column - Ints(count));
+    const Mask is_long = stratum.in_long_row;
+    row_rank = select(is_long, permute(stratum.row, strata.long_rows, row_key), row_rank);
+    column_rank = select(is_long, permute(stratum.column, strata.columns + 1, column_key), column_rank);
+    const Ints rows = select(is_long, Ints(strata.long_rows), Ints(short_rows));
+    const Ints start = pick(mix_bits(column_key), Ints(count));
+    column = column_in_rows(strata, is_long, stratum.column, row_rank, rows, stratum.columns,
+                            select(is_long, Ints(count - 1) - start, start));
   }
   const Pair place = random_pair(key, other_key, index);
   return {place_on_line(count, column, place.u), place_on_line(count, stratum.start + column_rank, place.v)};

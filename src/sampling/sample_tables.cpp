@@ -6,9 +6,7 @@ namespace penumbra {
 
 SampleTables make_sample_tables(Pattern pattern, std::initializer_list<std::uint32_t> counts, std::uint32_t seed) {
   SampleTables tables;
-  if (pattern == Pattern::sobol || pattern == Pattern::bluenoise) {
-    tables.sobol = make_sobol_table(*counts.begin(), seed);
-  }
+  if (pattern == Pattern::sobol) tables.sobol = make_sobol_table(*counts.begin(), seed);
   if (pattern == Pattern::poisson) {
     for (const std::uint32_t count : counts) {
       const auto made = std::any_of(tables.poisson.begin(), tables.poisson.end(),

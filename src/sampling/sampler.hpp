@@ -155,7 +155,7 @@ class Sampler {
       case Pattern::sobol:
         return sobol_pair(key, other_key, index_);
       case Pattern::bluenoise:
-        return bluenoise_pair(choice_->tables->sobol, pixel_->column, pixel_->row, index_, dimension, choice_->seed);
+        return bluenoise_pair(pixel_->column, pixel_->row, index_, dimension, choice_->seed);
     }
     return {Floats(0), Floats(0)};
   }
@@ -177,7 +177,7 @@ class Sampler {
       case Pattern::sobol:
         return sobol_single(key, index_);
       case Pattern::bluenoise:
-        return bluenoise_single(choice_->tables->sobol, pixel_->column, pixel_->row, index_, dimension, choice_->seed);
+        return bluenoise_single(pixel_->column, pixel_->row, index_, dimension, choice_->seed);
     }
     return Floats(0);
   }

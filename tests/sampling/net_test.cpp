@@ -3,7 +3,7 @@
 // fewer.
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <cmath>
 
 #include "sampling/points.hpp"
 
@@ -66,39 +66,37 @@ TEST(Sobol, AlignedBlocksAreNets) {
   }
 }
 
-// Point k is the same whatever the count of samples, and on every machine.
-TEST(SamplePoints, ArePureFunctions) {
-  for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
-    const Frame large = sampling_frame(pattern, 3000, 9);
-    for (const Dimensions dimensions : all_dimensions) {
-      const Points all = points_of(large, 40, 50, dimensions, 3000);
-      for (const std::uint32_t count : {1u, 7u, 16u, 100u, 1025u}) {
-        const Frame frame = sampling_frame(pattern, count, 9);
-        for (const Kernel* kernel : usable_kernels()) {
-          const Points fewer = points_of(frame, 40, 50, dimensions, count, *kernel);
-          EXPECT_TRUE(std::equal(fewer.u.begin(), fewer.u.end(), all.u.begin())) << kernel->isa << " " << count;
-          EXPECT_TRUE(std::equal(fewer.v.begin(), fewer.v.end(), all.v.begin())) << kernel->isa << " " << count;
-        }
-      }
-      for (const float u : all.u) EXPECT_TRUE(u >= 0 && u < 1);
-      for (const float v : all.v) EXPECT_TRUE(v >= 0 && v < 1);
-    }
+// What the check would notice.
+bool is_net_throughout(const Points& points) {
+  for (int a = 0; a <= 6; a++) {
+    if (!is_net(points, 6, a)) return false;
   }
+  return true;
 }
 
-TEST(SamplePoints, DependOnSeedPixelAndDimension) {
-  for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
-    const Frame frame = sampling_frame(pattern, 64, 1), other = sampling_frame(pattern, 64, 2);
-    for (const Dimensions dimensions : all_dimensions) {
-      const Points points = points_of(frame, 4, 5, dimensions, 64);
-      EXPECT_NE(points.u, points_of(other, 4, 5, dimensions, 64).u);
-      EXPECT_NE(points.u, points_of(frame, 5, 4, dimensions, 64).u);
-      EXPECT_NE(points.u, points_of(frame, 4, 6, dimensions, 64).u);
-      EXPECT_NE(points.u, points.v);
-      EXPECT_NE(points.v, points_of(other, 4, 5, dimensions, 64).v);
-      EXPECT_NE(points.v, points_of(frame, 5, 4, dimensions, 64).v);
-    }
-  }
+TEST(NetCheck, NoticesWhatIsNoNet) {
+  const Frame frame = sampling_frame(Pattern::sobol, 64, 1);
+  const Points net = points_of(frame, 3, 2, {pixel_x}, 64);
+  EXPECT_TRUE(is_net_throughout(net));
+  // The right numbers, but two of them swapped.
+  Points other = net;
+  std::swap(other.u[0], other.u[1]);
+  EXPECT_TRUE(is_net(other, 6, 6) && is_net(other, 6, 0));
+  EXPECT_FALSE(is_net_throughout(other));
+  other = net;
+  for (float& u : other.u) u = u < 0.99f ? u + 0.01f : u - 0.99f;
+  EXPECT_FALSE(is_net(other, 6, 6));
+  other = net;
+  for (float& u : other.u) u = std::floor(u * 32) / 32;
+  EXPECT_FALSE(is_net(other, 6, 6));
+  other = net;
+  other.u[5] = other.u[6];
+  EXPECT_FALSE(is_net(other, 6, 6));
+  // Two dimensions of unlike shuffles are no net together.
+  other.u = points_of(frame, 3, 2, {0x00012345u}, 64).u;
+  other.v = points_of(frame, 3, 2, {0x2c1b3c6du}, 64).v;
+  EXPECT_TRUE(is_net(other, 6, 6) && is_net(other, 6, 0));
+  EXPECT_FALSE(is_net_throughout(other));
 }
 
 }  // namespace

@@ -1,12 +1,19 @@
 // Sample points as the packets draw them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "rendering/isa.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra::test {
+
+inline constexpr Pattern all_patterns[] = {Pattern::regular, Pattern::random, Pattern::jittered, Pattern::multijittered,
+                                           Pattern::poisson, Pattern::halton, Pattern::sobol,    Pattern::bluenoise};
+inline constexpr std::size_t pattern_count = std::size(all_patterns);
+
+inline std::string name_of(Pattern pattern) { return std::string(pattern_names[static_cast<int>(pattern)]); }
 
 // All that a frame needs for sample points.
 inline Frame sampling_frame(Pattern pattern, std::uint32_t count, std::uint32_t seed = 0) {
@@ -31,11 +38,19 @@ struct Dimensions {
 inline constexpr Dimensions all_dimensions[] = {{pixel_x},     {lens_radius}, {first_light_radius}, {0x2c1b3c6du},
                                                 {0x2c1b3c6eu}, {0x00012345u}, {0xdeadbeefu}};
 
+inline constexpr Dimensions time_dimension{shutter_time};  // v is 0
+
 inline Points points_of(const Frame& frame, int x, int y, Dimensions dimensions, std::size_t count,
                         const Kernel& kernel = *usable_kernels().back()) {
   Points points{std::vector<float>(count), std::vector<float>(count)};
   kernel.sample_points(frame, x, y, dimensions.first, points.u, points.v);
   return points;
+}
+
+// Points begin <= index < end of the list.
+inline Points part_of(const Points& points, std::size_t begin, std::size_t end) {
+  return {{points.u.begin() + static_cast<std::ptrdiff_t>(begin), points.u.begin() + static_cast<std::ptrdiff_t>(end)},
+          {points.v.begin() + static_cast<std::ptrdiff_t>(begin), points.v.begin() + static_cast<std::ptrdiff_t>(end)}};
 }
 
 }  // namespace penumbra::test

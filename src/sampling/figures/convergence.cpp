@@ -1,4 +1,4 @@
-#include "sampling/convergence.hpp"
+#include "sampling/figures/convergence.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Star discrepancies against known values and against every box tried in turn.
-#include "sampling/discrepancy.hpp"
+#include "sampling/figures/discrepancy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/test_scale.hpp"
-#include "sampling/plane_points.hpp"
+#include "figures/plane_points.hpp"
 #include "sampling/statistics.hpp"
 
 namespace penumbra::test {

@@ -1,5 +1,5 @@
 // The spectrum against the sum as it is written, a grid's peaks, and white noise.
-#include "sampling/spectrum.hpp"
+#include "sampling/figures/spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/test_scale.hpp"
-#include "sampling/plane_points.hpp"
+#include "figures/plane_points.hpp"
 #include "sampling/statistics.hpp"
 
 namespace penumbra::test {

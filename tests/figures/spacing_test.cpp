@@ -1,5 +1,5 @@
 // Distances and empty circles on the torus against known lattices and against all pairs and triples.
-#include "sampling/spacing.hpp"
+#include "sampling/figures/spacing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/test_scale.hpp"
-#include "sampling/plane_points.hpp"
+#include "figures/plane_points.hpp"
 
 namespace penumbra::test {
 namespace {

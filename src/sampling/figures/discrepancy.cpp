@@ -1,4 +1,4 @@
-#include "sampling/discrepancy.hpp"
+#include "sampling/figures/discrepancy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "sampling/plane_point.hpp"
+#include "sampling/figures/plane_point.hpp"
 
 namespace penumbra {
 

@@ -1,9 +1,9 @@
 // The cells are equal, cover the square, and are counted right.
-#include "sampling/cells.hpp"
+#include "sampling/figures/cells.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sampling/plane_points.hpp"
+#include "figures/plane_points.hpp"
 
 namespace penumbra::test {
 namespace {

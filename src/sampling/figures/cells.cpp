@@ -1,4 +1,4 @@
-#include "sampling/cells.hpp"
+#include "sampling/figures/cells.hpp"
 
 #include <algorithm>
 #include <cmath>

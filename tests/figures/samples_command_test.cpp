@@ -9,8 +9,8 @@
 #include "app/pattern_plot.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
-#include "sampling/cells.hpp"
-#include "sampling/discrepancy.hpp"
+#include "sampling/figures/cells.hpp"
+#include "sampling/figures/discrepancy.hpp"
 #include "sampling/points.hpp"
 
 namespace penumbra::test {

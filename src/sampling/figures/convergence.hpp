@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "sampling/plane_point.hpp"
+#include "sampling/figures/plane_point.hpp"
 
 namespace penumbra {
 

@@ -1,4 +1,4 @@
-#include "sampling/spacing.hpp"
+#include "sampling/figures/spacing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "sampling/plane_point.hpp"
+#include "sampling/figures/plane_point.hpp"
 
 namespace penumbra::test {
 

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "sampling/plane_point.hpp"
+#include "sampling/figures/plane_point.hpp"
 
 namespace penumbra {
 

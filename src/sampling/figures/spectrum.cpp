@@ -1,4 +1,4 @@
-#include "sampling/spectrum.hpp"
+#include "sampling/figures/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

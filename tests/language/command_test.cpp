@@ -1,6 +1,8 @@
 // The command table, and every command in every form.
 #include "language/command.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -123,8 +125,8 @@ TEST(CommandTable, checksTheKindOfEveryArgument) {
         for (int i = 0; i < form.count; i++) text += i == bad ? " one" : " 1";
         const SceneFile file = read(text);
         ASSERT_FALSE(file.diagnostics.empty()) << text;
-        EXPECT_EQ(file.diagnostics[0].message, "`" + std::string(argument.name) + "` of `" + std::string(command.name) +
-                                                   "` has to be a number; found `one`");
+        EXPECT_EQ(file.diagnostics[0].message,
+                  fmt::format("`{}` of `{}` has to be a number; found `one`", argument.name, command.name));
         EXPECT_EQ(file.diagnostics[0].column, static_cast<int>(command.name.size()) + 2 + 2 * bad);
         EXPECT_EQ(file.diagnostics[0].width, 3);
       }

@@ -8,6 +8,7 @@
 #   make lint       formatting and static analysis
 #   make format     format the code
 #   make docs       make again the pages that are generated
+#   make gallery    render the pictures of docs/lecture.md, from the scenes of the lecture
 #   make clean      remove everything that was built
 
 JOBS := $(shell nproc)
@@ -16,7 +17,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
 
-.PHONY: demo test build test-long bench lint format docs fuzz clean
+.PHONY: demo test build test-long bench lint format docs gallery fuzz clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -50,6 +51,9 @@ format:
 docs: build
 	@cmake --build --preset $(PRESET) --target language_page
 	@scripts/make-pictures.sh $(BUILD)/penumbra
+
+gallery: build
+	@scripts/make-gallery.sh $(BUILD)/penumbra
 
 fuzz:
 	@scripts/install-dependencies.sh lint

@@ -44,6 +44,7 @@ struct Figures {
 
 CellCounts count_in_intervals_of(const std::vector<PlanePoint>& points, double PlanePoint::*coordinate) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const PlanePoint& p : points) values.push_back(p.*coordinate);
   return count_in_intervals(values);
 }

@@ -189,7 +189,9 @@ class AdaptiveRender {
   }
 
   static std::size_t place_of(const Crop& tile, int x, int y) {
-    return static_cast<std::size_t>((y - tile.y0 + noise_reach) * noise_window_size + x - tile.x0 + noise_reach);
+    const auto column = static_cast<std::size_t>(x - tile.x0 + noise_reach);
+    const auto row = static_cast<std::size_t>(y - tile.y0 + noise_reach);
+    return row * noise_window_size + column;
   }
 
   void load_window(const Crop& tile, Thread& thread) const {
@@ -229,11 +231,12 @@ class AdaptiveRender {
       noise = doubled_noise(noise, before, sum_at(pixel) - before, nullptr);
       return;
     }
-    render(n, n + n / 2);
+    const std::uint32_t half = n / 2;
+    render(n, n + half);
     const ColorSum middle = sum_at(pixel);
-    render(n + n / 2, 2 * n);
+    render(n + half, 2 * n);
     const ColorSum end = sum_at(pixel);
-    const SquaredDifference parts = squared_difference(middle - before, end - middle, n / 2);
+    const SquaredDifference parts = squared_difference(middle - before, end - middle, half);
     noise = doubled_noise(noise, before, end - before, &parts);
   }
 

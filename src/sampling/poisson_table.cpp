@@ -175,7 +175,8 @@ std::vector<Place> throw_darts(double distance, std::size_t most, std::uint32_t 
     const Place p{(hash(seed, 2 * i) >> 8) / steps, (hash(seed, 2 * i + 1) >> 8) / steps};
     const int column = static_cast<int>(p.x * side), row = static_cast<int>(p.y * side);
     if (!is_free_around(p, column, row)) continue;
-    std::uint32_t& head = first[static_cast<std::size_t>(row * side + column)];
+    std::uint32_t& head =
+        first[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column)];
     next.push_back(head);
     head = static_cast<std::uint32_t>(points.size());
     points.push_back(p);

@@ -13,7 +13,8 @@ struct Strata {
   std::uint32_t long_rows;             // rows with one cell more
 
   PENUMBRA_INLINE explicit Strata(std::uint32_t cells) : count(cells) {
-    rows = static_cast<std::uint32_t>(__builtin_sqrt(static_cast<double>(count)) + 0.5);
+    rows = static_cast<std::uint32_t>(__builtin_sqrt(static_cast<double>(count)));
+    if (rows * rows + rows < count) rows++;  // to the nearest
     columns = count / rows;
     long_rows = count % rows;
   }

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "base/test_scale.hpp"
-#include "sampling/figures/cells.hpp"
 #include "figures/plane_points.hpp"
+#include "sampling/figures/cells.hpp"
 
 namespace penumbra::test {
 namespace {

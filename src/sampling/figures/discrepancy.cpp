@@ -37,6 +37,7 @@ class PrefixSums {
 double sum_over_pairs(std::span<const PlanePoint> points) {
   const std::vector<PlanePoint> sorted = in_order_of_x(points);
   std::vector<double> heights;
+  heights.reserve(sorted.size());
   for (const PlanePoint& p : sorted) heights.push_back(p.y);
   std::sort(heights.begin(), heights.end());
   PrefixSums counts(heights.size()), gaps(heights.size());

@@ -65,7 +65,7 @@ std::size_t Spectrum::place(int fx, int fy) const {
 void Spectrum::add(std::span<const PlanePoint> points) {
   // The wave of a point is a product of one of x and one of y, so that four real sums of products, over fx and fy of 0
   // and more, give the frequencies (fx, fy) and (-fx, fy).
-  const auto size = static_cast<std::size_t>(limit_ + 1);
+  const std::size_t size = static_cast<std::size_t>(limit_) + 1;
   std::vector<float> cc(size * size), cs(size * size), sc(size * size), ss(size * size);
   Waves x(size), y(size);
   for (std::size_t first = 0; first < points.size(); first += block) {

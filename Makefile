@@ -3,7 +3,7 @@
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  what takes longer: all tests, and ten minutes of fuzzing
+#   make test-long  what takes longer: all tests, ten minutes of fuzzing, point sets of every size, adaptive errors
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make lint       formatting and static analysis
 #   make format     format the code
@@ -35,6 +35,8 @@ test:
 	@ctest --preset $(PRESET) -j $(JOBS)
 
 test-long: test fuzz
+	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
+	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench

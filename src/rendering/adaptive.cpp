@@ -189,9 +189,8 @@ class AdaptiveRender {
   }
 
   static std::size_t place_of(const Crop& tile, int x, int y) {
-    const auto column = static_cast<std::size_t>(x - tile.x0 + noise_reach);
-    const auto row = static_cast<std::size_t>(y - tile.y0 + noise_reach);
-    return row * noise_window_size + column;
+    const int column = x - tile.x0 + noise_reach, row = y - tile.y0 + noise_reach;
+    return static_cast<std::size_t>(row) * noise_window_size + static_cast<std::size_t>(column);
   }
 
   void load_window(const Crop& tile, Thread& thread) const {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -25,19 +26,29 @@ constexpr int tile_size = noise_tile_size;
 // The variance of single samples in a pixel of ordinary noise.
 constexpr float ordinary_variance = 0.02f;
 
-// Samples of the first round, times the goal. Something bright that they all miss covers some 1 / samples of its pixel,
-// and is an error of as much.
+// Samples of the first round, times the goal: the error of a pixel in which they all miss something bright, as far as
+// one that covers a few times 1 / samples of it is likely missed. What glows more than white needs more of them; what
+// is so bright and so small that 4096 samples miss it, stays unseen.
 constexpr float first_samples_times_goal = 0.15f;
-constexpr int fewest_first_level = 4, most_first_level = 8;
+constexpr int fewest_first_level = 4, most_first_level = 12;
 
 // Below this many samples a half is not rendered in two parts: packets would not be filled.
 constexpr std::uint32_t fewest_samples_in_parts = 32;
 
 int highest_level(const NoiseGoal& goal) { return static_cast<int>(std::bit_width(goal.most_rays)) - 1; }
 
-int first_level(const NoiseGoal& goal) {
+float brightest_glow(const Frame& frame) {
+  float brightest = *std::max_element(std::begin(frame.background), std::end(frame.background));
+  for (const FrameSurface& surface : frame.surfaces) {
+    brightest = std::max(brightest, *std::max_element(std::begin(surface.ambient), std::end(surface.ambient)));
+  }
+  return brightest;
+}
+
+int first_level(const NoiseGoal& goal, const Frame& frame) {
+  const float wanted = first_samples_times_goal * std::max(1.0f, brightest_glow(frame) / 2);
   int level = fewest_first_level;
-  while (level < most_first_level && goal.error * static_cast<float>(1 << level) < first_samples_times_goal) level++;
+  while (level < most_first_level && goal.error * static_cast<float>(1 << level) < wanted) level++;
   return std::min(level, highest_level(goal));
 }
 
@@ -68,7 +79,7 @@ class AdaptiveRender {
         state_(state),
         goal_squared_(goal.error * goal.error),
         rates_(frame.options.pattern == Pattern::random ? rates_of_independent_samples : rates_of_nets),
-        first_level_(first_level(goal)),
+        first_level_(first_level(goal, frame)),
         most_level_(highest_level(goal)),
         noise_(static_cast<std::size_t>(area_.width()) * static_cast<std::size_t>(area_.height())) {}
 

@@ -13,7 +13,9 @@ struct PoissonTable {
   std::uint32_t count = 0;  // points asked for; tiles * tiles * size is at least that many
   std::uint32_t tiles = 1;  // along each side of the square
   std::uint32_t size = 0;   // points of a tile
-  float distance = 0;       // on the square: the least between two points, and the greatest from a place to a point
+  // On the square: the least between two points, and the greatest from a place to a point. Where tiles * tiles * size
+  // is more than `count`, up to tiles * tiles - 1 of the points are left out, each of which leaves a hole.
+  float distance = 0;
   std::vector<float> u, v;  // `size` of each
 };
 

@@ -118,7 +118,8 @@ class Sampler {
     return other_joint_pair(first, second);
   }
 
-  // A sequence goes on where the next sample would be, had the pixel `rays` times as many.
+  // A sequence goes on where the next sample would be, had the pixel `rays` times as many. (From 2^32 points on they
+  // come again.)
   Sampler continued(std::uint32_t k, std::uint32_t rays) const {
     Sampler sampler = *this;
     sampler.index_ = index_ * Ints(rays) + Ints(k);

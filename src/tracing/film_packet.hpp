@@ -65,7 +65,7 @@ struct PixelSums {
 
   // The quantum of squares: that of the colour, times the largest colour the quantum was made for.
   static PENUMBRA_INLINE double squares_rounder(double round) {
-    return round * (round * (1073741824.0 / 6755399441055744.0));
+    return round * (round * (double{1 << quantum_bits} / 6755399441055744.0));
   }
 };
 

@@ -89,8 +89,8 @@ FrameSurface make_surface(const Surface& s) {
   return surface;
 }
 
-// Fine enough for any output, coarse enough that the sum of 2^20 samples of this size is exact in 53 bits.
-double quantum_for(double largest) { return std::exp2(std::ceil(std::log2(std::max(largest, 1.0))) - 30); }
+// Fine enough for any output, coarse enough that the sum of 2^24 samples of this size is exact in 53 bits.
+double quantum_for(double largest) { return std::exp2(std::ceil(std::log2(std::max(largest, 1.0))) - quantum_bits); }
 
 double largest_color(const Scene& scene) {
   double light = max_component(abs(scene.background));
@@ -113,8 +113,11 @@ Frame make_frame(const Scene& scene, const TracingOptions& options, int threads)
   frame.world = build_world(scene, world_options);
   frame.camera = make_camera(scene, options);
   set3(frame.background, scene.background);
+  bool any_area = false;
   for (const Light& light : scene.lights) {
-    frame.lights.push_back(std::visit([](const auto& l) { return make_light(l); }, light));
+    FrameLight& added = frame.lights.emplace_back(std::visit([](const auto& l) { return make_light(l); }, light));
+    added.first_of_area = added.kind == LightKind::disk && !any_area;
+    any_area |= added.kind == LightKind::disk;
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
   frame.options = options;

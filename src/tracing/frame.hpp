@@ -44,6 +44,7 @@ enum class LightKind : std::uint8_t { point, disk, spot };
 
 struct FrameLight {
   LightKind kind;
+  bool first_of_area;  // the first light that needs random numbers
   float position[3];
   float color[3];
   float disk_u[3], disk_v[3];  // from the centre to the rim
@@ -61,6 +62,8 @@ struct FrameSurface {
   bool blinn;
 };
 
+inline constexpr int quantum_bits = 28;
+
 struct Frame {
   World world;
   FrameCamera camera;
@@ -70,7 +73,8 @@ struct Frame {
   TracingOptions options;
   SampleTables tables;
   int width = 0, height = 0;
-  // Powers of two: samples are rounded to whole multiples of these before they are summed.
+  // Powers of two, 2^-quantum_bits of the largest sample: samples are rounded to whole multiples of these before they
+  // are summed.
   double color_quantum = 0, depth_quantum = 0;
 
   PatternChoice pattern_choice() const {

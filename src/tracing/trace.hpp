@@ -57,14 +57,14 @@ PENUMBRA_INLINE std::uint32_t rays_of_hit(int rays_of_first, TreePlace place) {
   return place == tree_root ? static_cast<std::uint32_t>(rays_of_first) : 1;
 }
 
-// The two random numbers for an area light. The first light of the eye ray's hit has joint dimensions.
-PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t light, TreePlace place, RayOfHit ray) {
-  const std::uint32_t dimension = step(place, step_light + light);
+// The two random numbers for area light `number`. The first one at the eye ray's hit has joint dimensions.
+PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, TreePlace place, RayOfHit ray) {
+  const std::uint32_t dimension = step(place, step_light + number);
   if (c.frame.options.regular_lights) {
     return ray.count > 1 ? c.sampler.regular_among(ray.number, ray.count, dimension) : c.sampler.regular(dimension);
   }
   if (ray.count > 1) return c.sampler.among(ray.number, ray.count).pair(dimension);
-  if (light == 0 && place == tree_root) return c.sampler.first_light_place();
+  if (c.frame.lights[number].first_of_area && place == tree_root) return c.sampler.first_light_place();
   return c.sampler.pair(dimension);
 }
 
@@ -142,14 +142,12 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
     const FrameLight& light = c.frame.lights[number];
-    if (light.kind != LightKind::disk) {
-      sum += from_point(light, {zero, zero});
-      continue;
-    }
-    const std::uint32_t points = rays_of_hit(options.shadow_rays, place);
+    const bool has_area = light.kind == LightKind::disk;
+    const std::uint32_t points = has_area ? rays_of_hit(options.shadow_rays, place) : 1;
     const Floats share = Floats(1.0f / static_cast<float>(points));
     for (std::uint32_t k = 0; k < points; k++) {
-      sum += from_point(light, light_numbers(c, number, place, {k, points})) * share;
+      const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
+      sum += from_point(light, random) * share;
     }
   }
   return sum;
@@ -175,16 +173,14 @@ inline Float3 trace_spread(const TraceContext& c, const Rays& rays, const Hits& 
   next.nearest = hits.magnitude * Floats(blind_distance);
   next.direction = how.direction;
   const TreePlace next_place = step(place, how.ray_step);
-  const auto one_ray = [&](const Sampler& for_direction, const Sampler& for_the_rest) {
-    if (how.spread) {
-      next.direction = spread(how.direction, how.radius, how.side, for_direction, step(place, how.random_step));
-    }
-    return trace({c.frame, for_the_rest, c.counts}, next, active, depth + 1, next_place, nullptr);
-  };
-  if (count == 1) return one_ray(c.sampler, c.sampler);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
   for (std::uint32_t k = 0; k < count; k++) {
-    sum += one_ray(c.sampler.among(k, count), c.sampler.descending(k, count));
+    if (how.spread) {
+      const Sampler sampler = count == 1 ? c.sampler : c.sampler.among(k, count);
+      next.direction = spread(how.direction, how.radius, how.side, sampler, step(place, how.random_step));
+    }
+    const Sampler sampler = count == 1 ? c.sampler : c.sampler.descending(k, count);
+    sum += trace({c.frame, sampler, c.counts}, next, active, depth + 1, next_place, nullptr);
   }
   return sum * Floats(1.0f / static_cast<float>(count));
 }

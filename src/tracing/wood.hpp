@@ -18,7 +18,7 @@ inline Float3 wood_color(Float3 p) {
   const Float3 early{0.70f, 0.30f, 0.15f}, late{0.20f, 0.05f, 0.02f};
   const Floats grain = Floats(0.05f) * noise3({p.x * Floats(60), p.y * Floats(45), p.z * Floats(16)});
   const Float3 color = select(light, early, late);
-  return {color.x + grain, color.y + grain, color.z + grain};
+  return {color.x + grain, color.y + grain, max(color.z + grain, Floats(0))};
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

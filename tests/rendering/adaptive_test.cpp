@@ -180,23 +180,28 @@ TEST(Adaptive, ThePictureIsAsGoodAsAskedFor) {
   }
 }
 
-// Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
-TEST(Adaptive, SpecksAreFound) {
-  constexpr int size = 48;
-  // Squares of a fifth of a pixel's area, once every eight pixels, wherever in their pixel.
-  std::string text = fmt::format("image_size {0} {0}\nfov 90\ndiffuse 0 0 0 1 1 1\n", size);
+// Squares that cover that share of a pixel, once every eight pixels, wherever in their pixel.
+constexpr int squares_size = 48, squares_apart = 8;
+std::string squares_text(double share, double brightness) {
+  std::string text = fmt::format("image_size {0} {0}\nfov 90\ndiffuse 0 0 0 {1} {1} {1}\n", squares_size, brightness);
   std::mt19937 random(11);
-  int specks = 0;
-  for (int y = 4; y < size; y += 8) {
-    for (int x = 4; x < size; x += 8, specks++) {
-      const double side = std::sqrt(0.2), px = x + (1 - side) * static_cast<double>(random()) / 4294967296.0,
-                   py = y + (1 - side) * static_cast<double>(random()) / 4294967296.0;
-      const auto coordinate = [&](double pixel) { return (pixel - size / 2) * 2 / size; };
+  const double side = std::sqrt(share);
+  const auto coordinate = [](double pixel) { return (pixel - squares_size / 2) * 2 / squares_size; };
+  const auto within = [&](int pixel) { return pixel + (1 - side) * static_cast<double>(random()) / 4294967296.0; };
+  for (int y = squares_apart / 2; y < squares_size; y += squares_apart) {
+    for (int x = squares_apart / 2; x < squares_size; x += squares_apart) {
+      const double px = within(x), py = within(y);
       text += fmt::format("box {} {} -1.0000001 {} {} -1\n", coordinate(px), -coordinate(py + side),
                           coordinate(px + side), -coordinate(py));
     }
   }
-  const AdaptivePicture picture = render_noise(text, {0.02f, 4096});
+  return text;
+}
+constexpr int squares = (squares_size / squares_apart) * (squares_size / squares_apart);
+
+// Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
+TEST(Adaptive, SpecksAreFound) {
+  const AdaptivePicture picture = render_noise(squares_text(0.2, 1), {0.02f, 4096});
   const std::vector<float> color = picture.film.color(), samples = picture.film.pixel_samples();
   double sum = 0;
   int far_from_truth = 0, lit = 0;
@@ -206,9 +211,23 @@ TEST(Adaptive, SpecksAreFound) {
     lit += value > 0;
     far_from_truth += value > 0 && std::abs(value - 0.2) > 0.06;  // three times the goal
   }
-  EXPECT_EQ(lit, specks);
+  EXPECT_EQ(lit, squares);
   EXPECT_EQ(far_from_truth, 0);
-  EXPECT_NEAR(sum / specks, 0.2, 0.02);
+  EXPECT_NEAR(sum / squares, 0.2, 0.02);
+}
+
+// A lamp forty times as bright as white in 1/200 of a pixel: 0.2, and the first sixteen rays would miss nine in ten.
+TEST(Adaptive, SmallLampsAreFound) {
+  constexpr float error = 0.01f;
+  const AdaptivePicture picture = render_noise(squares_text(0.005, 40), {error, 1 << 16});
+  const std::vector<float> color = picture.film.color();
+  std::vector<float> truth(color.size());
+  for (int y = squares_apart / 2; y < squares_size; y += squares_apart) {
+    for (int x = squares_apart / 2; x < squares_size; x += squares_apart) {
+      for (int c = 0; c < 3; c++) truth[static_cast<std::size_t>(3 * (y * squares_size + x) + c)] = 0.2f;
+    }
+  }
+  EXPECT_LT(rmse_clamped(color, truth), 1.2 * error);
 }
 
 TEST(Adaptive, MoreRaysWhereTheNoiseIs) {

@@ -250,6 +250,18 @@ moving_object -1 0 0
   }
 }
 
+// The dimensions that go with the eye ray's belong to the first light that has an area, not to one that needs none.
+TEST(Exactness, ABlackPointLightInFrontDoesNotShow) {
+  const std::string disk = "disk_light 0 6 0 1 0 -1 0 0.4 0.5 0.6\nsphere 1 0 0 -5\nbox -9 -2 -9 9 -1 9\n";
+  for (const Pattern pattern : {Pattern::sobol, Pattern::random, Pattern::jittered}) {
+    RenderSettings settings;
+    settings.pattern = pattern;
+    const std::string size = "image_size 20 20\nrays_per_pixel 5\n";
+    EXPECT_EQ(render_text(size + disk, settings).color,
+              render_text(size + "light 0 9 0 0 0 0\n" + disk, settings).color);
+  }
+}
+
 TEST(Exactness, StoppedRendersLeaveTheSampleCount) {
   const Scene scene = scene_from(scene_text(4));
   const Frame frame = frame_from(scene);

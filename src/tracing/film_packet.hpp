@@ -63,9 +63,9 @@ struct PixelSums {
     }
   }
 
-  // The quantum of squares: that of the colour, times the largest colour the quantum was made for.
+  // The quantum of squares: 2^-30 of the square of the largest colour, which the colour's own quantum tells.
   static PENUMBRA_INLINE double squares_rounder(double round) {
-    return round * (round * (double{1 << quantum_bits} / 6755399441055744.0));
+    return round * (round * (double{1 << (2 * quantum_bits - 30)} / 6755399441055744.0));
   }
 };
 

@@ -5,6 +5,7 @@
 #   make build      install what is missing, build the release
 #   make test-long  what takes longer: all tests, ten minutes of fuzzing, point sets of every size, adaptive errors
 #   make bench      compare speeds, as ratios of runs taken in turn
+#   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
 #   make format     format the code
 #   make docs       make again the pages that are generated
@@ -17,7 +18,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
 
-.PHONY: demo test build test-long bench lint format docs gallery fuzz clean
+.PHONY: demo test build test-long bench instructions check-instructions lint format docs gallery fuzz clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -41,6 +42,14 @@ test-long: test fuzz
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
 	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+
+instructions: build
+	@scripts/install-dependencies.sh instructions
+	@python3 bench/instructions.py --penumbra $(BUILD)/penumbra --update
+
+check-instructions: build
+	@scripts/install-dependencies.sh instructions
+	@python3 bench/instructions.py --penumbra $(BUILD)/penumbra
 
 lint:
 	@scripts/install-dependencies.sh lint

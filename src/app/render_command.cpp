@@ -192,7 +192,7 @@ class RenderRun {
 
     start = Clock::now();
     Film film(plan.crop, plan.layers, options_.noise ? SampleCounts::per_pixel : SampleCounts::uniform);
-    const Kernel& kernel = *usable_kernels().back();
+    const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
     RenderState state;
     AdaptiveResult result;
     const auto most_rays = static_cast<std::uint32_t>(scene.rays_per_pixel);

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
 
 #include "image/image_file.hpp"
 #include "rendering/adaptive.hpp"
+#include "rendering/isa.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {
@@ -77,6 +79,27 @@ void set_lens_model(RenderOptions& options, const std::string& name) {
   }
   throw CLI::ValidationError("--lens-model", fmt::format("there is no lens model `{}`; there are {}", name,
                                                          fmt::join(lens_model_names, ", ")));
+}
+
+std::string names_of(std::span<const Kernel* const> kernels) {
+  std::vector<std::string_view> names;
+  for (const Kernel* kernel : kernels) names.emplace_back(kernel->isa);
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void set_isa(RenderOptions& options, const std::string& name) {
+  options.kernel = kernel_from_name(usable_kernels(), name);
+  if (options.kernel) return;
+  if (std::find(std::begin(isa_names), std::end(isa_names), name) == std::end(isa_names)) {
+    throw CLI::ValidationError(
+        "--isa", fmt::format("there is no instruction set `{}`; there are {}", name, names_of(usable_kernels())));
+  }
+  if (!kernel_from_name(built_kernels(), name)) {
+    throw CLI::ValidationError(
+        "--isa", fmt::format("this program was not built for {}; there are {}", name, names_of(usable_kernels())));
+  }
+  throw CLI::ValidationError("--isa",
+                             fmt::format("this machine cannot run {}; there are {}", name, names_of(usable_kernels())));
 }
 
 void check_outputs(const RenderOptions& options) {
@@ -189,6 +212,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
           ""));
   render->add_option("--threads", options.threads, "Threads [all processors this process may use]")
       ->check(CLI::Range(1, 4096));
+  render
+      ->add_option_function<std::string>(
+          "--isa", [&options](const std::string& name) { set_isa(options, name); },
+          fmt::format("Instruction set: {} [the widest that can run here]", fmt::join(isa_names, ", ")))
+      ->type_name("NAME");
   render->add_flag("--course", options.course, "The course's own picture, to the pixel [off]");
   render->add_flag("--lenient", options.lenient, "Skip commands that only other programs know, with a warning [off]");
   render->add_option("--bits", options.bits, "Bits for each colour in a PNG: 8 or 16 [8]")

@@ -16,6 +16,8 @@ class App;
 
 namespace penumbra {
 
+struct Kernel;
+
 enum class ProgressStyle { automatic, bar, plain, json, none };
 
 // Options left out are empty: the scene's own word counts then.
@@ -30,7 +32,8 @@ struct RenderOptions {
   std::optional<Pattern> sampler;
   std::optional<std::pair<int, int>> size;
   std::optional<Crop> crop;
-  int threads = 0;  // 0: as many as there are
+  int threads = 0;                 // 0: as many as there are
+  const Kernel* kernel = nullptr;  // null: the widest that can run here
   int bits = 8;
   LensModel lens_model = LensModel::thin;
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;

@@ -4,6 +4,21 @@
 
 namespace penumbra {
 
+std::span<const Kernel* const> built_kernels() {
+  static const std::vector<const Kernel*> kernels = {
+#ifdef PENUMBRA_HAS_SSE42
+      &lanes4::kernel,
+#endif
+#ifdef PENUMBRA_HAS_AVX2
+      &lanes8::kernel,
+#endif
+#ifdef PENUMBRA_HAS_AVX512
+      &lanes16::kernel,
+#endif
+  };
+  return kernels;
+}
+
 std::span<const Kernel* const> usable_kernels() {
   static const std::vector<const Kernel*> kernels = [] {
     std::vector<const Kernel*> usable;
@@ -11,7 +26,8 @@ std::span<const Kernel* const> usable_kernels() {
     if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt")) usable.push_back(&lanes4::kernel);
 #endif
 #ifdef PENUMBRA_HAS_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2")) usable.push_back(&lanes8::kernel);
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"))
+      usable.push_back(&lanes8::kernel);
 #endif
 #ifdef PENUMBRA_HAS_AVX512
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
@@ -22,6 +38,13 @@ std::span<const Kernel* const> usable_kernels() {
     return usable;
   }();
   return kernels;
+}
+
+const Kernel* kernel_from_name(std::span<const Kernel* const> kernels, std::string_view isa) {
+  for (const Kernel* kernel : kernels) {
+    if (kernel->isa == isa) return kernel;
+  }
+  return nullptr;
 }
 
 }  // namespace penumbra

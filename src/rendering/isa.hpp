@@ -2,12 +2,22 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "tracing/kernel.hpp"
 
 namespace penumbra {
 
-// The kernels that can run here, the narrowest first. Empty if the program was built for wider machines only.
+// All there can be, the narrowest first; each is the name of its kernel.
+inline constexpr const char* isa_names[] = {"sse42", "avx2", "avx512"};
+
+// The kernels that this program was built with, the narrowest first.
+std::span<const Kernel* const> built_kernels();
+
+// Those that can run here too. Empty if the program was built for wider machines only.
 std::span<const Kernel* const> usable_kernels();
+
+// The kernel of that name among them; null if there is none.
+const Kernel* kernel_from_name(std::span<const Kernel* const> kernels, std::string_view isa);
 
 }  // namespace penumbra

@@ -5,6 +5,7 @@
 #   make build      install what is missing, build the release
 #   make test-long  what takes longer: all tests, ten minutes of fuzzing, point sets of every size, adaptive errors
 #   make bench      compare speeds, as ratios of runs taken in turn
+#   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
 #   make format     format the code
@@ -17,8 +18,9 @@ CMAKE_FLAGS ?=
 PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
+PEERS_FLAGS ?=
 
-.PHONY: demo test build test-long bench instructions check-instructions lint format docs gallery fuzz clean
+.PHONY: demo test build test-long bench bench-peers instructions check-instructions lint format docs gallery fuzz clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -42,6 +44,11 @@ test-long: test fuzz
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
 	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+
+# Debian's own python3, which has Debian's numpy and matplotlib.
+bench-peers: build
+	@scripts/install-dependencies.sh peers
+	@/usr/bin/python3 bench/peers/compare.py --penumbra $(BUILD)/penumbra $(PEERS_FLAGS)
 
 instructions: build
 	@scripts/install-dependencies.sh instructions

@@ -28,19 +28,19 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 
 @dataclasses.dataclass
 class Series:
-    """A curve to measure: the values for every scene, more of them for C and D, and more options of the renderer."""
+    """A curve to measure: the values for every scene, one more for some, and more options of the renderer."""
 
     name: str
     renderer: object
     values: list
-    values_of_slow_scenes: list = dataclasses.field(default_factory=list)
+    one_more: dict = dataclasses.field(default_factory=dict)
     adaptive: bool = False
     options: dict = dataclasses.field(default_factory=dict)
 
     def values_for(self, scene):
         if scene not in self.renderer.scenes:
             return []
-        return self.values + (self.values_of_slow_scenes if scene in "CD" else [])
+        return self.values + ([self.one_more[scene]] if scene in self.one_more else [])
 
     def is_long(self, value):
         return not isinstance(self.renderer, Penumbra) and (self.adaptive or value > report.EQUAL_RAYS)
@@ -50,9 +50,9 @@ def series_of(penumbra, povray, cycles):
     patterns = ["random", "multijittered", "halton", "bluenoise"]
     return [
         Series("POV-Ray", povray, [16, 36, 64, 100, 256]),
-        Series("POV-Ray adaptive", povray, [16, 36, 81, 144, 324], adaptive=True),
-        Series("Cycles", cycles, [16, 64, 100, 256], [1024]),
-        Series("Cycles adaptive", cycles, [0.05, 0.02, 0.01], [0.005], adaptive=True),
+        Series("POV-Ray adaptive", povray, [16, 36, 81, 144], adaptive=True),
+        Series("Cycles", cycles, [16, 64, 100, 256], {"C": 400, "D": 1400}),
+        Series("Cycles adaptive", cycles, [0.05, 0.02, 0.01], {"D": 0.005}, adaptive=True),
         Series("Penumbra", penumbra, [4, 16, 32, 64, 100, 128, 256]),
         Series("Penumbra --noise", penumbra, [0.02, 0.014, 0.01, 0.007, 0.005], adaptive=True),
         *[Series(f"Penumbra {p}", penumbra, [16, 64, 256], options={"options": ["--sampler", p]}) for p in patterns]]

@@ -45,6 +45,10 @@ def names_of(results):
     return list(dict.fromkeys([r["series"] for r in results["runs"]] + [c["series"] for c in results["cited"]]))
 
 
+def patterns_of(results):
+    return [n for n in names_of(results) if n.startswith("Penumbra ") and n != "Penumbra --noise"]
+
+
 def table(head, rows):
     lines = [head, ["---"] + ["--:"] * (len(head) - 1), *rows]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in lines) + "\n"
@@ -99,7 +103,6 @@ def times_sooner(results, names):
 
 def tables(results):
     names = names_of(results)
-    patterns = [n for n in names if n.startswith("Penumbra ") and "--" not in n]
     others = [n for n in names if not n.startswith("Penumbra")]
     versions = ", ".join(results["versions"])
     return "\n".join([
@@ -111,22 +114,26 @@ def tables(results):
         "How many times sooner Penumbra is there / Penumbra with --noise:\n",
         times_sooner(results, others),
         f"CPU seconds of Penumbra's patterns to an RMSE of {GOAL}:\n",
-        equal_error(results, ["Penumbra"] + patterns)])
+        equal_error(results, ["Penumbra"] + patterns_of(results))])
 
 
 def plot(results, folder):
     """One picture for each scene: error against seconds."""
     os.makedirs(folder, exist_ok=True)
-    drawn = [n for n in names_of(results) if not n.startswith("Penumbra ") or n == "Penumbra --noise"]
-    colours = dict(zip(drawn, pyplot.rcParams["axes.prop_cycle"].by_key()["color"]))
-    cited = {c["series"] for c in results["cited"]}
+    adaptive = {f"{name} adaptive" for name in PEERS} | {"Penumbra --noise"}
+    drawn = [n for n in names_of(results) if n not in patterns_of(results)]
+    colours = {"POV-Ray": "tab:blue", "Cycles": "tab:orange", "Penumbra": "tab:green"}
+    cited = dict.fromkeys(c["series"] for c in results["cited"])
+    colours.update(zip(cited, ["dimgrey", "darkgrey", "black"]))
     for scene in scenes_of(results):
         figure, axes = pyplot.subplots(figsize=(6.4, 4), layout="constrained")
         for name in drawn:
             points = curve(results, scene, name)
             if points:
                 axes.loglog([p[0] for p in points], [p[1] for p in points], marker="o", markersize=4, label=name,
-                            color=colours[name], linestyle="--" if name in cited else "-")
+                            color=colours[name if name in cited else name.split()[0]],
+                            linestyle="--" if name in adaptive else "-",
+                            markerfacecolor="white" if name in adaptive else None)
         axes.axhline(GOAL, color="grey", linewidth=0.8, linestyle=":")
         axes.set(title=TITLES[scene], xlabel="CPU seconds of rendering, one core", ylabel="RMSE")
         axes.xaxis.set_major_formatter(ticker.FormatStrFormatter("%g"))

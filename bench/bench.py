@@ -107,15 +107,63 @@ def rays_per_second(penumbra, turns):
     print()
 
 
+MESH_SCENE = """fov 60
+image_size 300 300
+background .2 .4 .8
+disk_light 2 5 -4  .9  0 -1 0  .8 .8 .8
+light -5 5 5  .15 .15 .15
+diffuse .63 .63 .63  .07 .07 .07
+box -40 -1.1 -60  40 -1 10
+glossy .64 .24 .16  .3 .3 .3  50  0 0
+mesh {mesh}
+"""
+
+
+def compare_with_embree(mesh_replay, bumpy_sphere, turns):
+    if not has_avx512():
+        print("Embree: skipped, this machine has no AVX-512\n")
+        return
+    print("Renders of meshes against the same packets sent through Embree alone, 300x300, 1 thread:\n", flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        for rows, rays in [(188, 64), (708, 64), (2237, 16)]:
+            subprocess.run([bumpy_sphere, str(rows), os.path.join(folder, f"{rows}.ply")], check=True)
+            scene = os.path.join(folder, f"sphere-{rows}.cli")
+            with open(scene, "w") as file:
+                file.write(MESH_SCENE.format(mesh=f"{rows}.ply"))
+            subprocess.run(pinned([mesh_replay, scene, str(rays), str(turns)]), check=True)
+
+
+def compare_threads(penumbra, turns):
+    path = os.path.join(ROOT, "scenes/demo.cli")
+    ratios = []
+    for _ in range(turns):
+        seconds = []
+        for threads in (1, 2):
+            with tempfile.TemporaryDirectory() as folder:
+                stats = os.path.join(folder, "stats.json")
+                subprocess.run([penumbra, "render", path, "--rays", "32", "-o", os.path.join(folder, "out.png"), "--quiet",
+                                "--threads", str(threads), "--stats", stats], check=True, stdout=subprocess.DEVNULL)
+                with open(stats) as file:
+                    seconds.append(json.load(file)["render_seconds"])
+        ratios.append(seconds[0] / seconds[1])
+    print(f"Two threads against one, demo.cli, render seconds: {statistics.median(ratios):.2f} "
+          f"(best of {turns} turns {max(ratios):.2f})\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--penumbra", default=os.path.join(ROOT, "build/release/penumbra"))
     parser.add_argument("--parse-bench")
+    parser.add_argument("--mesh-replay")
+    parser.add_argument("--bumpy-sphere")
     parser.add_argument("--turns", type=int, default=5)
     arguments = parser.parse_args()
     peers = os.environ.get("PENUMBRA_PEERS_DIR", os.path.join(ROOT, "../shared/peers"))
     compare_with_prototype(arguments.penumbra, peers, arguments.turns)
     rays_per_second(arguments.penumbra, min(arguments.turns, 3))
+    compare_threads(arguments.penumbra, arguments.turns)
+    if arguments.mesh_replay and arguments.bumpy_sphere:
+        compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)
     if arguments.parse_bench:
         print("Reading:\n", flush=True)
         subprocess.run(pinned([arguments.parse_bench]), check=True)

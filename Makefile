@@ -42,8 +42,9 @@ test-long: test fuzz
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 
 bench: build
-	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
-	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
+	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
+	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
 
 # Debian's own python3, which has Debian's numpy and matplotlib.
 bench-peers: build

@@ -1,0 +1,50 @@
+#include "viewer/file_stamp.hpp"
+
+#include <sys/stat.h>
+#include <time.h>
+
+#include <algorithm>
+
+namespace penumbra {
+namespace {
+
+constexpr std::int64_t second = 1'000'000'000;
+// A file system notes times by a clock that is behind by up to a tick of the kernel.
+constexpr std::int64_t clock_tick = 20'000'000;
+
+std::int64_t nanoseconds_of(const timespec& time) { return time.tv_sec * second + time.tv_nsec; }
+
+}  // namespace
+
+StampClock StampClock::now() {
+  timespec time{};
+  ::clock_gettime(CLOCK_REALTIME, &time);
+  return {nanoseconds_of(time)};
+}
+
+FileStamp stamp_of(const std::filesystem::path& path, StampClock before) {
+  FileStamp stamp;
+  stamp.path = path;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return stamp;
+  stamp.exists = true;
+  stamp.device = status.st_dev;
+  stamp.inode = status.st_ino;
+  stamp.size = static_cast<std::uint64_t>(status.st_size);
+  stamp.modified = nanoseconds_of(status.st_mtim);
+  stamp.changed = nanoseconds_of(status.st_ctim);
+  // A time in the future says nothing.
+  stamp.unsure =
+      stamp.changed > before.nanoseconds - clock_tick && stamp.changed < StampClock::now().nanoseconds + second;
+  return stamp;
+}
+
+bool any_changed(const std::vector<FileStamp>& files) {
+  return std::any_of(files.begin(), files.end(), [](const FileStamp& old) {
+    const FileStamp now = stamp_of(old.path, {});
+    return old.unsure || now.exists != old.exists || now.device != old.device || now.inode != old.inode ||
+           now.size != old.size || now.modified != old.modified || now.changed != old.changed;
+  });
+}
+
+}  // namespace penumbra

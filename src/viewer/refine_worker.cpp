@@ -1,0 +1,177 @@
+#include "viewer/refine_worker.hpp"
+
+#include <sched.h>
+
+#include <exception>
+#include <list>
+
+#include "viewer/growing_picture.hpp"
+
+namespace penumbra {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The threads that draw passes come from this one and are as modest: a thread that wakes up to answer a key comes
+// first.
+void give_way() {
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_BATCH, &none);
+}
+
+}  // namespace
+
+void RefineWorker::show(std::uint64_t number, RefineTask task) {
+  const std::lock_guard lock(mutex_);
+  next_ = std::move(task);
+  next_number_ = number;
+  news_ = {};
+  state_.stop = true;
+  changed_.notify_all();
+}
+
+void RefineWorker::set_limit(std::uint32_t limit) {
+  const std::lock_guard lock(mutex_);
+  limit_ = limit;
+  if (next_) next_->limit = limit;
+  state_.stop = true;
+  changed_.notify_all();
+}
+
+void RefineWorker::pause(bool paused) {
+  const std::lock_guard lock(mutex_);
+  paused_ = paused;
+  if (paused) state_.stop = true;
+  changed_.notify_all();
+}
+
+void RefineWorker::quit() {
+  const std::lock_guard lock(mutex_);
+  quit_ = true;
+  state_.stop = true;
+  changed_.notify_all();
+}
+
+RefinerNews RefineWorker::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(news_, {});
+}
+
+std::optional<RefineTask> RefineWorker::withdraw() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(next_, std::nullopt);
+}
+
+bool RefineWorker::has_begun() {
+  const std::lock_guard lock(mutex_);
+  return !next_;
+}
+
+bool RefineWorker::has_ended() {
+  const std::lock_guard lock(mutex_);
+  return ended_;
+}
+
+bool RefineWorker::wait_for_end(Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [this] { return ended_; });
+}
+
+std::uint32_t RefineWorker::limit() {
+  const std::lock_guard lock(mutex_);
+  return limit_;
+}
+
+void RefineWorker::run() {
+  give_way();
+  while (true) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return quit_ || next_; });
+    if (quit_) break;
+    RefineTask task = std::move(*next_);
+    next_.reset();
+    task_ = next_number_;
+    limit_ = task.limit;
+    lock.unlock();
+    work_on(std::move(task));
+  }
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  changed_.notify_all();
+}
+
+std::shared_ptr<const LoadedScene> RefineWorker::loaded_scene(const RefineTask& task) {
+  if (task.loaded) return task.loaded;
+  const PictureOptions& options = task.sides.front();
+  auto loaded = std::make_shared<const LoadedScene>(load_scene(task.path, {options.course, options.lenient}));
+  const std::lock_guard lock(mutex_);
+  if (is_over()) return nullptr;
+  news_.loaded = loaded;
+  if (!loaded->scene) notify_();
+  return loaded->scene ? loaded : nullptr;
+}
+
+void RefineWorker::publish(std::shared_ptr<const Refinement> picture) {
+  const std::lock_guard lock(mutex_);
+  if (is_over()) return;
+  news_.picture = std::move(picture);
+  notify_();
+}
+
+bool RefineWorker::wait_for_work(std::uint32_t rays, bool done, std::uint32_t limit) {
+  std::unique_lock lock(mutex_);
+  // Whoever pauses still wants to see the first picture of what comes next.
+  changed_.wait(lock, [&] { return is_over() || ((!paused_ || rays == 0) && !(done && limit_ == limit)); });
+  if (is_over()) return false;
+  state_.stop = false;
+  return true;
+}
+
+void RefineWorker::work_on(RefineTask task) try {
+  const std::shared_ptr<const LoadedScene> loaded = loaded_scene(task);
+  if (!loaded) return;
+  std::list<GrowingPicture> pictures;
+  for (const PictureOptions& options : task.sides) pictures.emplace_back(*loaded, options, world_, threads_);
+
+  PassRules rules;
+  for (const GrowingPicture& picture : pictures) {
+    rules.needs_count |= picture.needs_count();
+    if (picture.needs_whole_packets()) rules.granularity = static_cast<std::uint32_t>(kernel_.lanes);
+  }
+  std::uint32_t rays = 0;
+  double seconds = 0, seconds_per_ray = 0;
+  while (true) {
+    rules.limit = limit();
+    const std::optional<Pass> pass = next_pass(rules, rays, seconds_per_ray);
+    if (!wait_for_work(rays, !pass, rules.limit)) return;
+    if (!pass) continue;
+    for (GrowingPicture& picture : pictures) picture.prepare(*pass);
+    const Clock::time_point start = Clock::now();
+    bool whole = true;
+    for (GrowingPicture& picture : pictures) whole = whole && picture.draw(kernel_, threads_, state_);
+    if (!whole) continue;
+    const double pass_took = std::chrono::duration<double>(Clock::now() - start).count();
+    seconds += pass_took;
+    seconds_per_ray = pass_took / (pass->end - pass->first);
+    rays = pass->end;
+    auto refinement = std::make_shared<Refinement>();
+    for (GrowingPicture& picture : pictures) {
+      picture.keep();
+      refinement->sides.push_back(picture.side());
+      refinement->rays_sent += picture.rays_sent();
+    }
+    refinement->task = task_;
+    refinement->loaded = loaded;
+    refinement->rays = rays;
+    refinement->seconds = seconds;
+    refinement->done = !next_pass(rules, rays, seconds_per_ray);
+    publish(std::move(refinement));
+  }
+} catch (const std::exception& e) {
+  const std::lock_guard lock(mutex_);
+  if (is_over()) return;
+  news_.failure = e.what();
+  notify_();
+}
+
+}  // namespace penumbra

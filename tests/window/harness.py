@@ -87,7 +87,7 @@ def write_png(path, rows):
 
 
 def metadata_of(png):
-    """The texts of a PNG file, in order."""
+    """What a PNG file says of how it was made, in order."""
     with open(png, "rb") as file:
         data = file.read()
     texts, at = {}, 8
@@ -101,7 +101,7 @@ def metadata_of(png):
         elif kind == b"iTXt":
             key, rest = body.split(b"\0", 1)
             texts[key.decode()] = rest[2:].split(b"\0", 2)[2].decode()
-    return texts
+    return {key.removeprefix("penumbra:"): value for key, value in texts.items()}
 
 
 class Window:

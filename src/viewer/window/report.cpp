@@ -11,7 +11,8 @@ Report::Report(const std::filesystem::path& file) {
   if (!file.empty()) file_.open(file, std::ios::app);
 }
 
-void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events) {
+void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events,
+                   const std::vector<KnobPlace>& knob_places) {
   if (!file_.is_open()) return;
   const auto& picture = session.picture();
   const Knobs knobs = session.knobs();
@@ -45,6 +46,8 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"zoom", session.view().zoom_factor()},
       {"changed", session.changed_lines()},
   };
+  auto& places = line["knobs"] = nlohmann::ordered_json::object();
+  for (const KnobPlace& knob : knob_places) places[knob.label] = {knob.x, knob.y};
   auto& sides = line["sides"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; picture && i < picture->sides.size(); i++) {
     const RefinedSide& side = picture->sides[i];

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "viewer/session.hpp"
+#include "viewer/window/panel.hpp"
 
 namespace penumbra {
 
@@ -13,7 +14,8 @@ class Report {
   // Appends to `file`; an empty name reports nothing.
   explicit Report(const std::filesystem::path& file);
 
-  void frame(const Session& session, int window_width, int window_height, std::uint64_t events);
+  void frame(const Session& session, int window_width, int window_height, std::uint64_t events,
+             const std::vector<KnobPlace>& knobs);
 
  private:
   std::ofstream file_;

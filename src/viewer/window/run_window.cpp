@@ -121,12 +121,12 @@ class WindowLoop {
       titled_ = session_.path();
       window_.set_title(titled_.filename().string() + " - Penumbra");
     }
-    window_.begin_frame();
+    window_.begin_frame(mouse_.cursor());
     layer_.draw(session_);
-    draw_panel(session_, width, height);
+    const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
     draw_overlays(session_, width, height);
     window_.end_frame();
-    report_.frame(session_, width, height, events_);
+    report_.frame(session_, width, height, events_, knobs);
   }
 
   SdlWindow window_;

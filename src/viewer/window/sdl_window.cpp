@@ -78,9 +78,12 @@ void SdlWindow::close() {
   SDL_Quit();
 }
 
-void SdlWindow::begin_frame() {
+void SdlWindow::begin_frame(PlaceInWindow cursor) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
+  // The back end goes by the place of the mouse and of the window on the screen, and the latter may be out of date.
+  ImVec2& place = ImGui::GetIO().MousePos;
+  if (ImGui::IsMousePosValid(&place)) place = {static_cast<float>(cursor.x), static_cast<float>(cursor.y)};
   ImGui::NewFrame();
 }
 

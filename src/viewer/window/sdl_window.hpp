@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "viewer/picture_view.hpp"
+
 namespace penumbra {
 
 class SdlWindow {
@@ -17,7 +19,8 @@ class SdlWindow {
   SdlWindow& operator=(const SdlWindow&) = delete;
 
   void set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
-  void begin_frame();
+  // `cursor`: where the last mouse event of this window was.
+  void begin_frame(PlaceInWindow cursor);
   // Shows what was drawn since.
   void end_frame();
   // In pixels.

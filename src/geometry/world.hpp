@@ -60,6 +60,7 @@ struct alignas(64) Node {
 struct WorldGroup {
   NodeReference root = leaf_reference(0, 0);
   bool has_triangles = false;
+  bool has_nested = false;  // meshes or instances
 };
 
 // Triangles of the store that follow each other both there and in the order of the file.

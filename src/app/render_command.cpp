@@ -13,6 +13,7 @@
 #include "language/scene_file.hpp"
 #include "picture/develop.hpp"
 #include "picture/metadata.hpp"
+#include "picture/ray_tree_text.hpp"
 #include "rendering/adaptive.hpp"
 #include "rendering/isa.hpp"
 #include "rendering/render.hpp"
@@ -87,6 +88,13 @@ class RenderRun {
                    scene.height);
         return exit_usage;
       }
+      if (const auto& debug = options_.debug_pixel;
+          debug && (debug->x >= scene.width || debug->y >= scene.height || debug->sample >= scene.rays_per_pixel)) {
+        fmt::print(stderr,
+                   "penumbra: --debug-pixel is not in the picture, which has {}x{} pixels with {} samples each\n",
+                   scene.width, scene.height, scene.rays_per_pixel);
+        return exit_usage;
+      }
       if (const Pattern pattern = pattern_for(scene, options_); options_.noise && needs_count(pattern)) {
         fmt::print(stderr,
                    "penumbra: --noise needs a sample pattern that can go on, and `{}` is made for one number of rays; "
@@ -123,13 +131,14 @@ class RenderRun {
     Clock::time_point start = Clock::now();
     const Frame frame = make_frame(scene, tracing, plan.threads);
     stats_.build_seconds += seconds_since(start);
+    const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
+    const auto most_rays = static_cast<std::uint32_t>(scene.rays_per_pixel);
+    if (options_.debug_pixel) return print_rays(frame, kernel, *options_.debug_pixel, most_rays);
 
     start = Clock::now();
     Film film(plan.crop, plan.layers, options_.noise ? SampleCounts::per_pixel : SampleCounts::uniform);
-    const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
     RenderState state;
     AdaptiveResult result;
-    const auto most_rays = static_cast<std::uint32_t>(scene.rays_per_pixel);
     const auto pixels = static_cast<std::uint64_t>(plan.crop.width()) * static_cast<std::uint64_t>(plan.crop.height());
     {
       const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, pixels * most_rays);
@@ -168,6 +177,12 @@ class RenderRun {
     }
     stats_.write_seconds += seconds_since(start);
     note(frame, kernel, plan, rays);
+  }
+
+  static void print_rays(const Frame& frame, const Kernel& kernel, const DebugPixel& pixel, std::uint32_t count) {
+    const auto sample = static_cast<std::uint32_t>(pixel.sample);
+    const RayTree tree = trace_sample(frame, kernel, pixel.x, pixel.y, sample, count);
+    fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
   }
 
   void note(const Frame& frame, const Kernel& kernel, const Plan& plan, const RayCounts& rays) {

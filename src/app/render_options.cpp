@@ -24,6 +24,16 @@ void set_crop(RenderOptions& options, const std::string& text) {
   options.crop = Crop{n[0], n[1], n[2], n[3]};
 }
 
+void set_debug_pixel(RenderOptions& options, const std::string& text) {
+  const std::vector<int> n = whole_numbers(text, ',');
+  if (n.size() != 3 || n[0] < 0 || n[1] < 0 || n[2] < 0) {
+    throw CLI::ValidationError("--debug-pixel", fmt::format("expected x,y,sample, all counted from 0, x and y from the "
+                                                            "top left; found `{}`",
+                                                            text));
+  }
+  options.debug_pixel = DebugPixel{n[0], n[1], n[2]};
+}
+
 void set_layers(RenderOptions& options, const std::vector<std::string>& names) {
   const std::map<std::string, bool*> layers = {{"depth", &options.layers.depth},
                                                {"normal", &options.layers.normal},
@@ -89,6 +99,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
           "--crop", [&options](const std::string& s) { set_crop(options, s); },
           "Render only these pixels, x0,y0,x1,y1, half open, from the top left [all]")
       ->type_name("x0,y0,x1,y1");
+  render
+      ->add_option_function<std::string>(
+          "--debug-pixel", [&options](const std::string& s) { set_debug_pixel(options, s); },
+          "Render nothing; print all rays of one sample of one pixel, each with what it hit and what came back [off]")
+      ->type_name("x,y,sample");
   add_machine_options(*render, options.threads, options.kernel);
   render->add_option("--bits", options.bits, "Bits for each colour in a PNG: 8 or 16 [8]")
       ->check(CLI::IsMember({8, 16}));

@@ -1,6 +1,7 @@
 // What `penumbra render` can be told on its command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,17 @@ struct Kernel;
 
 enum class ProgressStyle { automatic, bar, plain, json, none };
 
+// One sample of one pixel.
+struct DebugPixel {
+  int x = 0, y = 0, sample = 0;
+};
+
 struct RenderOptions : PictureOptions {
   std::string scene;
   std::vector<std::string> outputs;
-  int threads = 0;                 // 0: as many as there are
-  const Kernel* kernel = nullptr;  // null: the widest that can run here
+  std::optional<DebugPixel> debug_pixel;  // tell its rays instead of rendering
+  int threads = 0;                        // 0: as many as there are
+  const Kernel* kernel = nullptr;         // null: the widest that can run here
   int bits = 8;
   bool quiet = false;
   Layers layers;

@@ -71,6 +71,7 @@ bool Session::poll() {
     picture_ = news.picture;
     const RefinedSide& side = picture_->sides.front();
     view_.set_picture_size(side.image.width, side.image.height);
+    inspect_again();
     changed = true;
   }
   if (!news.failure.empty()) {
@@ -123,7 +124,9 @@ void Session::obey(const ViewCommand& command, PlaceInWindow cursor) {
   switch (command.kind) {
     case ViewCommandKind::none:
     case ViewCommandKind::copy:
+      break;
     case ViewCommandKind::step_sample:
+      step_sample(command.number);
       break;
     case ViewCommandKind::load_scene:
       open(scene_of_key(folder_, command.number, command.twin));
@@ -192,15 +195,46 @@ void Session::save() {
 void Session::focus(PlaceInWindow cursor) {
   const auto pixel = view_.pixel_at(cursor);
   if (!picture_ || !pixel || !loaded_) return say("F focuses at the cursor: point at the picture");
-  const bool right =
-      split_ && picture_->sides.size() > 1 && pixel->x >= divider_ * view_.picture().width / view_.zoom_factor();
-  const Frame& frame = *picture_->sides[right ? 1 : 0].frame;
+  const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
   const double middle = frame.options.course ? 0.0 : 0.5;
   const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
   if (!distance) return say("there is nothing at the cursor to focus at");
   const double radius = knobs().lens_radius;
   set_lens(radius, *distance);
   say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so all is sharp" : ""));
+}
+
+int Session::side_of(PictureView::Pixel pixel) const {
+  const bool right = picture_->sides.size() > 1 && pixel.x >= divider_ * picture_->sides[0].image.width;
+  return right ? 1 : 0;
+}
+
+void Session::inspect_at(PlaceInWindow place) {
+  const auto pixel = view_.pixel_at(place);
+  if (!picture_ || !pixel) return inspection_.reset();
+  const InspectedSample at{side_of(*pixel), pixel->x, pixel->y, 0};
+  const bool again = inspection_ && inspection_->at.x == at.x && inspection_->at.y == at.y;
+  if (again) return inspection_.reset();
+  inspection_ = inspect(*picture_, *kernel_, at);
+}
+
+void Session::step_sample(int by) {
+  if (!inspection_) return;
+  InspectedSample at = inspection_->at;
+  at.sample = static_cast<std::uint32_t>(
+      std::clamp<std::int64_t>(std::int64_t{at.sample} + by, 0, std::int64_t{picture_->rays} - 1));
+  if (at != inspection_->at) inspection_ = inspect(*picture_, *kernel_, at);
+}
+
+// The picture is another one: with more samples, of other settings, of another scene.
+void Session::inspect_again() {
+  if (!inspection_) return;
+  InspectedSample at = inspection_->at;
+  const Image& image = picture_->sides.front().image;
+  if (at.x >= image.width || at.y >= image.height) return inspection_.reset();
+  at.sample = std::min(at.sample, picture_->rays - 1);
+  at.side = side_of({at.x, at.y});
+  inspection_ = inspect(*picture_, *kernel_, at);
 }
 
 void Session::set_split(bool split) {

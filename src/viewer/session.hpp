@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viewer/command.hpp"
+#include "viewer/inspection.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/refiner.hpp"
 
@@ -39,6 +40,8 @@ class Session {
   bool poll();
   // `cursor`: where the mouse is. Copying is left to the caller, who has the clipboard.
   void obey(const ViewCommand& command, PlaceInWindow cursor);
+  // Looks into the pixel at a place of the window, or at none if it is the same again or outside the picture.
+  void inspect_at(PlaceInWindow place);
   bool wants_to_quit() const { return quit_; }
   // False if something cannot be stopped within this time.
   bool close(std::chrono::milliseconds patience) { return refiner_.close(patience); }
@@ -82,6 +85,7 @@ class Session {
   PictureView& view() { return view_; }
   const PictureView& view() const { return view_; }
   std::string changed_lines() const;
+  const std::optional<Inspection>& inspection() const { return inspection_; }
   const Kernel& kernel() const { return *kernel_; }
   std::uint64_t task() const { return task_; }
 
@@ -93,6 +97,10 @@ class Session {
   void focus(PlaceInWindow cursor);
   void set_split(bool split);
   void change_rays(bool more);
+  void step_sample(int by);
+  void inspect_again();
+  // The side of the split view that a pixel belongs to.
+  int side_of(PictureView::Pixel pixel) const;
   void note(const LoadedScene& loaded);
   // A scene that was read again may have fewer lights and surfaces.
   void forget_missing_numbers();
@@ -120,6 +128,7 @@ class Session {
 
   std::uint64_t task_ = 0;
   std::shared_ptr<const Refinement> picture_;
+  std::optional<Inspection> inspection_;
   Refiner refiner_;
 };
 

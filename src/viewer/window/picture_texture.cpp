@@ -16,15 +16,15 @@ void PictureTexture::load(const Image& image, double exposure, Rounding rounding
   const int skip = (std::max(image.width, image.height) + most - 1) / most;
   const int width = (image.width + skip - 1) / skip;
   const int height = (image.height + skip - 1) / skip;
-  bytes_.clear();
-  bytes_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  bytes_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  std::uint8_t* byte = bytes_.data();
   for (int y = 0; y < image.height; y += skip) {
     for (int x = 0; x < image.width; x += skip) {
       const float* rgb = &image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                          static_cast<std::size_t>(x))];
       for (int c = 0; c < 3; c++) {
         const float value = exposure == 1 ? rgb[c] : static_cast<float>(rgb[c] * exposure);
-        bytes_.push_back(quantize_8(value, rounding));
+        *byte++ = quantize_8(value, rounding);
       }
     }
   }

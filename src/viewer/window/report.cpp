@@ -46,6 +46,12 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"zoom", session.view().zoom_factor()},
       {"changed", session.changed_lines()},
   };
+  if (const auto& inspection = session.inspection()) {
+    const InspectedSample& at = inspection->at;
+    line["inspection"] = {
+        {"side", at.side},          {"pixel", {at.x, at.y}},          {"sample", at.sample},
+        {"text", inspection->text}, {"command", inspection->command}, {"plots", inspection->plots.size()}};
+  }
   auto& places = line["knobs"] = nlohmann::ordered_json::object();
   for (const KnobPlace& knob : knob_places) places[knob.label] = {knob.x, knob.y};
   auto& sides = line["sides"] = nlohmann::ordered_json::array();

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "viewer/input_map.hpp"
+#include "viewer/window/inspector.hpp"
 #include "viewer/window/mouse.hpp"
 #include "viewer/window/overlay.hpp"
 #include "viewer/window/panel.hpp"
@@ -78,6 +79,7 @@ class WindowLoop {
     ImGui_ImplSDL2_ProcessEvent(&event);
     const bool typing = ImGui::GetIO().WantTextInput;
     mouse_.handle(session_, event);
+    if (const auto place = mouse_.take_click()) session_.inspect_at(*place);
     switch (event.type) {
       case SDL_QUIT:
         obey({ViewCommandKind::quit});
@@ -124,6 +126,7 @@ class WindowLoop {
     window_.begin_frame(mouse_.cursor());
     layer_.draw(session_);
     const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
+    draw_inspector(session_);
     draw_overlays(session_, width, height);
     window_.end_frame();
     report_.frame(session_, width, height, events_, knobs);

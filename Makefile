@@ -52,8 +52,9 @@ window-events:
 	done
 
 bench: build
-	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
-	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
+	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
+	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
 	@scripts/install-dependencies.sh test
 	@bench/window_latency.py --penumbra $(BUILD)/penumbra
 

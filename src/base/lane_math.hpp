@@ -93,8 +93,8 @@ PENUMBRA_INLINE Floats pow(Floats base, Floats exponent) {
   return select(exponent == Floats(0), Floats(1), keep(~tiny, power));
 }
 
-// base^exponent for a whole exponent > 0, by squaring; relative error below exponent * 2^-24. Both kinds multiply in one
-// order, so that they give the same bits.
+// base^exponent for a whole exponent > 0, by squaring; relative error below exponent * 2^-24. Both kinds multiply in
+// one order, so that they give the same bits.
 PENUMBRA_INLINE Floats whole_power(Floats base, std::uint32_t exponent) {
   Floats result = Floats(1);
   for (; exponent != 0; exponent >>= 1, base *= base) {

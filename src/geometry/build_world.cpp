@@ -4,6 +4,7 @@
 #include <cfloat>
 
 #include "geometry/bvh.hpp"
+#include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
 #include "geometry/placing.hpp"
 #include "geometry/world.hpp"
@@ -259,6 +260,7 @@ class WorldBuilder {
     }
     Bounds bounds;
     for (const TriangleRange& range : ranges) bounds = include(bounds, bounds_of(range));
+    mesh.embree = &embree_library();
     mesh.scene = device_.build(*scene_.triangles, ranges);
     Leaf leaf;
     leaf.kind = LeafKind::mesh;

@@ -2,8 +2,7 @@
 // the arithmetic of our own triangles, so that both rooms agree on what is equally far.
 #pragma once
 
-#include <embree3/rtcore.h>
-
+#include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
 #include "geometry/rays.hpp"
 #include "geometry/triangle_kernel.hpp"
@@ -14,18 +13,18 @@ namespace penumbra::PENUMBRA_KERNEL {
 #if PENUMBRA_LANES == 16
 using EmbreeRays = RTCRay16;
 using EmbreeRayHits = RTCRayHit16;
-inline constexpr auto embree_intersect = rtcIntersect16;
-inline constexpr auto embree_occluded = rtcOccluded16;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect16;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded16;
 #elif PENUMBRA_LANES == 8
 using EmbreeRays = RTCRay8;
 using EmbreeRayHits = RTCRayHit8;
-inline constexpr auto embree_intersect = rtcIntersect8;
-inline constexpr auto embree_occluded = rtcOccluded8;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect8;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded8;
 #else
 using EmbreeRays = RTCRay4;
 using EmbreeRayHits = RTCRayHit4;
-inline constexpr auto embree_intersect = rtcIntersect4;
-inline constexpr auto embree_occluded = rtcOccluded4;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect4;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded4;
 #endif
 
 // The lanes of one vector, which is what Embree takes.
@@ -112,7 +111,7 @@ PENUMBRA_INLINE Mask find_in_mesh(const Mesh& mesh, const Rays& rays, Floats far
     store_half(valid, active_bits, half);
     TieContext tie{embree_context(rays), &mesh, {}, {}};
     store_half(tie.distance, Floats(-1), half);
-    embree_intersect(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
+    (mesh.embree->*embree_intersect)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
     __builtin_memcpy(hits.geometry + first, query.hit.geomID, sizeof valid);
     __builtin_memcpy(hits.primitive + first, query.hit.primID, sizeof valid);
     __builtin_memcpy(hits.distance + first, query.ray.tfar, sizeof valid);
@@ -159,6 +158,7 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
 
 // Which of the active rays meet a triangle of the mesh nearer than `farthest`.
 inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays, Floats farthest, Mask active) {
+  const Mesh& mesh = world.meshes[leaf.target];
   const Ints active_bits = lane_bits(active);
   alignas(64) float distance[lane_count] = {};
   for (int half = 0; half < 2; half++) {
@@ -169,7 +169,7 @@ inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays
     alignas(64) std::uint32_t valid[vector_lanes];
     store_half(valid, active_bits, half);
     RTCIntersectContext context = embree_context(rays);
-    embree_occluded(reinterpret_cast<const int*>(valid), world.meshes[leaf.target].scene.get(), &context, &query);
+    (mesh.embree->*embree_occluded)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &context, &query);
     __builtin_memcpy(distance + first, query.tfar, sizeof valid);
   }
   return active & (load(distance) < Floats(0));

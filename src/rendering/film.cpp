@@ -78,9 +78,14 @@ Film Film::cut(const Crop& crop) const {
 
 std::vector<float> Film::means(const std::vector<double>& sums) const {
   std::vector<float> result(sums.size());
-  for (std::size_t i = 0; i < sums.size(); i++) {
-    result[i] = static_cast<float>(sums[i] / std::max(samples_of(i / 3), 1u));
+  if (has_pixel_counts()) {
+    for (std::size_t i = 0; i < sums.size(); i++) {
+      result[i] = static_cast<float>(sums[i] / std::max(samples_of(i / 3), 1u));
+    }
+    return result;
   }
+  const double samples = std::max(samples_, 1u);
+  for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
   return result;
 }
 

@@ -99,6 +99,13 @@ Floats evaluate_one(LaneFunction function, Floats a, Floats b, Floats c) {
       return exp2(a);
     case LaneFunction::power:
       return pow(a, b);
+    case LaneFunction::whole_power:
+      return whole_power(a, truncate(b));
+    case LaneFunction::common_power: {
+      alignas(64) float exponent[lane_count];
+      store(exponent, b);
+      return whole_power(a, static_cast<std::uint32_t>(exponent[0]));
+    }
     case LaneFunction::acos_turns:
       return acos_turns(a);
     case LaneFunction::disk_x:

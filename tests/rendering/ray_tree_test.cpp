@@ -108,7 +108,7 @@ TEST(RayTree, TellsWhatItHit) {
   EXPECT_EQ(tree.rays[1].kind, RayKind::shadow);
   EXPECT_FALSE(tree.rays[1].hit);
   EXPECT_NEAR(tree.rays[1].light_distance, 3, 1e-5);
-  EXPECT_EQ(tree.rays[1].adds[0], 1.0f);
+  EXPECT_FLOAT_EQ(tree.rays[1].adds[0], 1.0f);
 }
 
 TEST(RayTree, KeepsNoMoreThanAsked) {

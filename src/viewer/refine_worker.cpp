@@ -121,51 +121,61 @@ void RefineWorker::publish(std::shared_ptr<const Refinement> picture) {
 bool RefineWorker::wait_for_work(std::uint32_t rays, bool done, std::uint32_t limit) {
   std::unique_lock lock(mutex_);
   // Whoever pauses still wants to see the first picture of what comes next.
-  changed_.wait(lock, [&] { return is_over() || ((!paused_ || rays == 0) && !(done && limit_ == limit)); });
+  const auto is_waiting = [&] { return done || (paused_ && rays > 0); };
+  changed_.wait(lock, [&] { return is_over() || limit_ != limit || !is_waiting(); });
   if (is_over()) return false;
   state_.stop = false;
   return true;
 }
 
-void RefineWorker::work_on(RefineTask task) try {
-  const std::shared_ptr<const LoadedScene> loaded = loaded_scene(task);
-  if (!loaded) return;
+bool RefineWorker::grow(const std::shared_ptr<const LoadedScene>& loaded, const std::vector<PictureOptions>& sides) {
   std::list<GrowingPicture> pictures;
-  for (const PictureOptions& options : task.sides) pictures.emplace_back(*loaded, options, world_, threads_);
-
+  for (const PictureOptions& options : sides) pictures.emplace_back(*loaded, options, world_, threads_);
   PassRules rules;
   for (const GrowingPicture& picture : pictures) {
     rules.needs_count |= picture.needs_count();
     if (picture.needs_whole_packets()) rules.granularity = static_cast<std::uint32_t>(kernel_.lanes);
   }
-  std::uint32_t rays = 0;
-  double seconds = 0, seconds_per_ray = 0;
+  Refinement last;
+  last.task = task_;
+  last.loaded = loaded;
+  double seconds_per_ray = 0;
   while (true) {
     rules.limit = limit();
-    const std::optional<Pass> pass = next_pass(rules, rays, seconds_per_ray);
-    if (!wait_for_work(rays, !pass, rules.limit)) return;
-    if (!pass) continue;
+    if (rules.limit > 0 && last.rays > rules.limit) return true;
+    const std::optional<Pass> pass = next_pass(rules, last.rays, seconds_per_ray);
+    if (!pass && !last.done) {
+      last.done = true;
+      publish(std::make_shared<const Refinement>(last));
+    }
+    if (!wait_for_work(last.rays, !pass, rules.limit)) return false;
+    if (!pass || limit() != rules.limit) continue;
     for (GrowingPicture& picture : pictures) picture.prepare(*pass);
     const Clock::time_point start = Clock::now();
     bool whole = true;
     for (GrowingPicture& picture : pictures) whole = whole && picture.draw(kernel_, threads_, state_);
     if (!whole) continue;
     const double pass_took = std::chrono::duration<double>(Clock::now() - start).count();
-    seconds += pass_took;
     seconds_per_ray = pass_took / (pass->end - pass->first);
-    rays = pass->end;
-    auto refinement = std::make_shared<Refinement>();
+    last.seconds += pass_took;
+    last.rays = pass->end;
+    last.sides.clear();
+    last.rays_sent = 0;
     for (GrowingPicture& picture : pictures) {
       picture.keep();
-      refinement->sides.push_back(picture.side());
-      refinement->rays_sent += picture.rays_sent();
+      last.sides.push_back(picture.side());
+      last.rays_sent += picture.rays_sent();
     }
-    refinement->task = task_;
-    refinement->loaded = loaded;
-    refinement->rays = rays;
-    refinement->seconds = seconds;
-    refinement->done = !next_pass(rules, rays, seconds_per_ray);
-    publish(std::move(refinement));
+    last.done = !next_pass(rules, last.rays, seconds_per_ray);
+    publish(std::make_shared<const Refinement>(last));
+  }
+}
+
+void RefineWorker::work_on(RefineTask task) try {
+  const std::shared_ptr<const LoadedScene> loaded = loaded_scene(task);
+  if (!loaded) return;
+  // A picture that has more rays than it should have by now is drawn anew.
+  while (grow(loaded, task.sides)) {
   }
 } catch (const std::exception& e) {
   const std::lock_guard lock(mutex_);

@@ -37,9 +37,11 @@ class RefineWorker {
 
  private:
   void work_on(RefineTask task);
+  // Draws the pictures until there is another task; true if they have to be begun again for a lower limit.
+  bool grow(const std::shared_ptr<const LoadedScene>& loaded, const std::vector<PictureOptions>& sides);
   // Reads the file if it has to be; null if there is nothing to show.
   std::shared_ptr<const LoadedScene> loaded_scene(const RefineTask& task);
-  // Waits while there is nothing to do; false if this task is over.
+  // Waits while there is nothing to do for this limit; false if this task is over.
   bool wait_for_work(std::uint32_t rays, bool done, std::uint32_t limit);
   bool is_over() const { return quit_ || next_; }
   void publish(std::shared_ptr<const Refinement> picture);

@@ -63,7 +63,7 @@ class Refiner {
 
   // Leaves whatever is under way and starts this. Returns the number of the task.
   std::uint64_t show(RefineTask task);
-  // Of what is being shown: goes on to this many rays. A lower limit than there are rays already needs a new `show`.
+  // Of what is being shown: goes on to this many rays, or begins again if it has more.
   void set_limit(std::uint32_t limit);
   void pause(bool paused);
 

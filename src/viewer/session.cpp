@@ -14,7 +14,7 @@
 namespace penumbra {
 namespace {
 
-constexpr std::chrono::milliseconds look_interval(50);
+constexpr std::chrono::milliseconds look_interval(25);
 constexpr std::chrono::seconds message_duration(4);
 
 void set_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
@@ -253,13 +253,8 @@ void Session::change_rays(bool more) {
 }
 
 void Session::set_limit(std::uint32_t rays) {
-  const bool fewer = rays > 0 && (!picture_is_current() || picture_->rays > rays);
   limit_ = rays;
-  if (fewer) {
-    show(false);
-  } else {
-    refiner_.set_limit(rays);
-  }
+  refiner_.set_limit(rays);
 }
 
 Knobs Session::knobs() const {

@@ -141,6 +141,23 @@ TEST_F(RefinerTest, ALimitThatRisesGoesOn) {
   EXPECT_EQ(picture->sides[0].image.rgb, rendered(8));
 }
 
+TEST_F(RefinerTest, ALimitThatFallsBeginsAgain) {
+  refiner_.show(task(0));
+  wait([](const RefinerNews& news) { return news.picture && news.picture->rays >= 32; });
+  refiner_.set_limit(5);
+  const auto picture = wait([](const RefinerNews& news) { return news.picture && news.picture->done; }).picture;
+  EXPECT_EQ(picture->rays, 5u);
+  EXPECT_EQ(picture->sides[0].image.rgb, rendered(5));
+}
+
+TEST_F(RefinerTest, ALimitThatIsReachedAlreadyIsTold) {
+  refiner_.pause(true);
+  refiner_.show(task(0));
+  wait_for_rays(1);
+  refiner_.set_limit(1);
+  EXPECT_TRUE(wait_for_rays(1)->done);
+}
+
 TEST_F(RefinerTest, TwoSidesHaveEqualRays) {
   RefineTask both = task(8);
   both.sides.emplace_back();

@@ -131,7 +131,10 @@ class MouseTests(Tests):
         """Keys typed into a field of the panel do not load scenes."""
         window = self.open_tiny()
         x, y = window.state["knobs"]["rays per pixel"]
-        window.mouse("mousemove", "--sync", x, y, "click", "--repeat", 2, "--delay", 60, 1)
+        before = window.state["frame"]
+        window.mouse("mousemove", "--sync", x, y, "mousedown", 1)
+        window.wait(lambda s: s["typing"], "the field to take the keys", since=before)
+        window.mouse("mouseup", 1)
         window.key("ctrl+a", "1", "6", "Return")
         state = window.wait(lambda s: s["limit"] == 16 and shown(s), "16 rays")
         assert state["scene"] == "tiny.cli" and not state["error"], state

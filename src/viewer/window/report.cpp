@@ -12,7 +12,7 @@ Report::Report(const std::filesystem::path& file) {
 }
 
 void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-                   const std::vector<KnobPlace>& knob_places) {
+                   const std::vector<KnobPlace>& knob_places, bool typing) {
   if (!file_.is_open()) return;
   const auto& picture = session.picture();
   const Knobs knobs = session.knobs();
@@ -32,6 +32,7 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"message", session.message()},
       {"status", status_line(session)},
       {"help", session.help()},
+      {"typing", typing},
       {"paused", session.paused()},
       {"split", session.split()},
       {"divider", session.divider()},

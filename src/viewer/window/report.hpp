@@ -15,7 +15,7 @@ class Report {
   explicit Report(const std::filesystem::path& file);
 
   void frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-             const std::vector<KnobPlace>& knobs);
+             const std::vector<KnobPlace>& knobs, bool typing);
 
  private:
   std::ofstream file_;

@@ -3,7 +3,9 @@
 #include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 
 #include "viewer/input_map.hpp"
@@ -18,9 +20,12 @@
 namespace penumbra {
 namespace {
 
-constexpr int wait_milliseconds = 50;
-// Dear ImGui answers to some events a frame later.
-constexpr int frames_after_event = 3;
+constexpr std::chrono::milliseconds longest_wait(25);
+// Dear ImGui answers to some events a frame or two later. Those frames do not hurry: drawing takes time from rendering.
+constexpr int frames_after_event = 2;
+constexpr std::chrono::milliseconds settle_interval(30);
+// An event that asks for another picture is answered with that picture, if it comes soon.
+constexpr std::chrono::milliseconds wait_for_picture(40);
 constexpr std::chrono::milliseconds patience_at_end(100);
 
 // Lets other threads end the wait for events, once for all news that is not taken yet.
@@ -50,30 +55,39 @@ class WindowLoop {
         session_(session_options, [this] { wakeup_.call(); }) {}
 
   void run() {
-    int frames_to_draw = frames_after_event;
     while (!session_.wants_to_quit()) {
-      SDL_Event event;
-      bool any = SDL_WaitEventTimeout(&event, frames_to_draw > 0 ? 1 : wait_milliseconds) != 0;
-      while (any) {
-        if (wakeup_.is(event)) {
-          wakeup_.heard();
-        } else {
-          handle(event);
-          frames_to_draw = frames_after_event;
-        }
-        any = SDL_PollEvent(&event) != 0;
-      }
-      if (session_.poll()) frames_to_draw = std::max(frames_to_draw, 1);
-      if (frames_to_draw > 0) {
-        draw();
-        frames_to_draw--;
-      }
+      wait_for_events();
+      if (session_.poll()) draw_at(Clock::now());
+      if (Clock::now() >= next_draw_) draw();
     }
   }
 
   bool close() { return session_.close(patience_at_end); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void wait_for_events() {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(next_draw_ - Clock::now());
+    const auto wait = std::clamp<std::chrono::milliseconds>(left, std::chrono::milliseconds(0), longest_wait);
+    SDL_Event event;
+    const std::uint64_t task = session_.task();
+    const bool any = SDL_WaitEventTimeout(&event, static_cast<int>(wait.count())) != 0;
+    bool more = any;
+    while (more) {
+      if (wakeup_.is(event)) {
+        wakeup_.heard();
+      } else {
+        handle(event);
+        frames_to_settle_ = frames_after_event;
+        draw_at(Clock::now() + (session_.task() == task ? std::chrono::milliseconds(0) : wait_for_picture));
+      }
+      more = SDL_PollEvent(&event) != 0;
+    }
+  }
+
+  void draw_at(Clock::time_point time) { next_draw_ = std::min(next_draw_, time); }
+
   void handle(const SDL_Event& event) {
     events_++;
     ImGui_ImplSDL2_ProcessEvent(&event);
@@ -129,7 +143,9 @@ class WindowLoop {
     draw_inspector(session_);
     draw_overlays(session_, width, height);
     window_.end_frame();
-    report_.frame(session_, width, height, events_, knobs);
+    next_draw_ = frames_to_settle_ > 0 ? Clock::now() + settle_interval : Clock::time_point::max();
+    frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
+    report_.frame(session_, width, height, events_, knobs, ImGui::GetIO().WantTextInput);
   }
 
   SdlWindow window_;
@@ -139,6 +155,8 @@ class WindowLoop {
   Mouse mouse_;
   std::filesystem::path titled_;
   std::uint64_t events_ = 0;
+  Clock::time_point next_draw_{};  // the first frame is due
+  int frames_to_settle_ = frames_after_event;
   Session session_;
 };
 

@@ -3,14 +3,12 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include <algorithm>
-
 namespace penumbra {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 // A file system notes times by a clock that is behind by up to a tick of the kernel.
-constexpr std::int64_t clock_tick = 20'000'000;
+constexpr std::int64_t clock_tick = 12'000'000;
 
 std::int64_t nanoseconds_of(const timespec& time) { return time.tv_sec * second + time.tv_nsec; }
 
@@ -39,12 +37,16 @@ FileStamp stamp_of(const std::filesystem::path& path, StampClock before) {
   return stamp;
 }
 
-bool any_changed(const std::vector<FileStamp>& files) {
-  return std::any_of(files.begin(), files.end(), [](const FileStamp& old) {
-    const FileStamp now = stamp_of(old.path, {});
-    return old.unsure || now.exists != old.exists || now.device != old.device || now.inode != old.inode ||
-           now.size != old.size || now.modified != old.modified || now.changed != old.changed;
-  });
+FileChange change_of(const std::vector<FileStamp>& files) {
+  FileChange change = FileChange::none;
+  for (const FileStamp& old : files) {
+    const FileStamp now = stamp_of(old.path, StampClock::now());
+    const bool changed = old.unsure || now.exists != old.exists || now.device != old.device || now.inode != old.inode ||
+                         now.size != old.size || now.modified != old.modified || now.changed != old.changed;
+    if (changed && now.unsure) return FileChange::fresh;
+    if (changed) change = FileChange::settled;
+  }
+  return change;
 }
 
 }  // namespace penumbra

@@ -26,7 +26,13 @@ struct FileStamp {
 // The stamp of a file that was read after `before`.
 FileStamp stamp_of(const std::filesystem::path& path, StampClock before);
 
+enum class FileChange {
+  none,
+  fresh,  // within the last moments: whoever writes may not be done, and a stamp could not tell what comes next
+  settled
+};
+
 // Whether any of the files is another now, has come or gone, or was unsure.
-bool any_changed(const std::vector<FileStamp>& files);
+FileChange change_of(const std::vector<FileStamp>& files);
 
 }  // namespace penumbra

@@ -15,6 +15,8 @@ namespace penumbra {
 namespace {
 
 constexpr std::chrono::milliseconds look_interval(25);
+// A file that is written again and again is read all the same.
+constexpr std::chrono::milliseconds longest_freshness(100);
 constexpr std::chrono::seconds message_duration(4);
 
 void set_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
@@ -84,10 +86,21 @@ bool Session::poll() {
     changed = true;
   }
   if (!reading_ && now >= next_look_) {
-    next_look_ = now + look_interval;
-    if (any_changed(watched_)) show(true);
+    look_at_files(now);
   }
   return changed;
+}
+
+void Session::look_at_files(Clock::time_point now) {
+  next_look_ = now + look_interval;
+  const FileChange change = change_of(watched_);
+  if (change != FileChange::fresh) fresh_since_ = now;
+  if (change == FileChange::fresh && now < fresh_since_ + longest_freshness) {
+    next_look_ = now + std::chrono::milliseconds(5);
+  } else if (change != FileChange::none) {
+    fresh_since_ = now;
+    show(true);
+  }
 }
 
 void Session::forget_missing_numbers() {

@@ -102,6 +102,7 @@ class Session {
   // The side of the split view that a pixel belongs to.
   int side_of(PictureView::Pixel pixel) const;
   void note(const LoadedScene& loaded);
+  void look_at_files(Clock::time_point now);
   // A scene that was read again may have fewer lights and surfaces.
   void forget_missing_numbers();
   template <typename Change>
@@ -114,7 +115,7 @@ class Session {
   std::filesystem::path path_;
   std::shared_ptr<const LoadedScene> loaded_;  // the last one without errors
   std::vector<FileStamp> watched_;
-  Clock::time_point next_look_{};
+  Clock::time_point next_look_{}, fresh_since_{};
   bool reading_ = false;
   std::vector<PictureOptions> sides_;  // left and right; the right one counts in the split view only
   std::uint32_t limit_ = 0;

@@ -28,7 +28,7 @@ class FileStampTest : public testing::Test {
 
 TEST_F(FileStampTest, SameFileIsUnchanged) {
   put_content(folder_ / "a", "1");
-  EXPECT_FALSE(any_changed({old_stamp(folder_ / "a"), old_stamp(folder_ / "missing")}));
+  EXPECT_EQ(change_of({old_stamp(folder_ / "a"), old_stamp(folder_ / "missing")}), FileChange::none);
 }
 
 TEST_F(FileStampTest, SeesEveryWayOfSaving) {
@@ -36,28 +36,30 @@ TEST_F(FileStampTest, SeesEveryWayOfSaving) {
   put_content(path, "1");
   FileStamp stamp = old_stamp(path);
   put_content(path, "22");
-  EXPECT_TRUE(any_changed({stamp})) << "another size";
+  EXPECT_NE(change_of({stamp}), FileChange::none) << "another size";
 
   stamp = old_stamp(path);
   put_content(folder_ / "b", "33");
   std::filesystem::rename(folder_ / "b", path);
-  EXPECT_TRUE(any_changed({stamp})) << "renamed over it";
+  EXPECT_NE(change_of({stamp}), FileChange::none) << "renamed over it";
 
   stamp = old_stamp(path);
   std::filesystem::remove(path);
-  EXPECT_TRUE(any_changed({stamp})) << "gone";
+  EXPECT_NE(change_of({stamp}), FileChange::none) << "gone";
 
   stamp = old_stamp(path);
   put_content(path, "33");
-  EXPECT_TRUE(any_changed({stamp})) << "back";
+  EXPECT_NE(change_of({stamp}), FileChange::none) << "back";
 }
 
 TEST_F(FileStampTest, WrittenWhileItWasReadIsLookedAtAgain) {
   const StampClock before = StampClock::now();
   put_content(folder_ / "a", "1");
   EXPECT_TRUE(stamp_of(folder_ / "a", before).unsure);
-  EXPECT_TRUE(any_changed({stamp_of(folder_ / "a", before)}));
+  EXPECT_NE(change_of({stamp_of(folder_ / "a", before)}), FileChange::none);
+  EXPECT_EQ(change_of({stamp_of(folder_ / "a", before)}), FileChange::fresh);
   std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  EXPECT_EQ(change_of({stamp_of(folder_ / "a", before)}), FileChange::settled);
   EXPECT_FALSE(stamp_of(folder_ / "a", StampClock::now()).unsure);
 }
 

@@ -182,10 +182,10 @@ class Window:
         self.display.run("xdotool", *[str(word) for word in words])
 
     def move(self, x, y):
-        self.mouse("mousemove", "--sync", int(x), int(y))
+        self.mouse("mousemove", int(x), int(y))
 
     def click(self, x, y):
-        self.mouse("mousemove", "--sync", int(x), int(y), "click", 1)
+        self.mouse("mousemove", int(x), int(y), "click", 1)
 
     def wait_for_rays(self, rays, what="the picture"):
         return self.wait(lambda s: s["picture_task"] == s["task"] and s["rays"] == rays and s["done"],

@@ -186,8 +186,8 @@ class KeyTests(Tests):
         assert window.state["sides"][0]["without"] == ""
         x, y, width, height = state["picture"]
         middle = x + width // 2
-        window.mouse("mousemove", "--sync", middle, y + 20, "mousedown", 1)
-        window.mouse("mousemove", "--sync", x + width // 4, y + 20)
+        window.mouse("mousemove", middle, y + 20, "mousedown", 1)
+        window.mouse("mousemove", x + width // 4, y + 20)
         window.mouse("mouseup", 1)
         window.wait(lambda s: abs(s["divider"] - 0.25) < 0.01, "the divider at a quarter")
         left, right = self.save(window)

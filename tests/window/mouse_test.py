@@ -53,8 +53,8 @@ class MouseTests(Tests):
     def test_pan(self):
         window = self.open_tiny()
         x, y, width, height = window.state["picture"]
-        window.mouse("mousemove", "--sync", x + 50, y + 50, "mousedown", 1)
-        window.mouse("mousemove", "--sync", x + 80, y + 70)
+        window.mouse("mousemove", x + 50, y + 50, "mousedown", 1)
+        window.mouse("mousemove", x + 80, y + 70)
         window.mouse("mouseup", 1)
         state = window.wait(lambda s: s["picture"][:2] == [x + 30, y + 20], "the picture elsewhere")
         window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
@@ -63,10 +63,10 @@ class MouseTests(Tests):
     def drag_knob(self, window, label, changed, distance=40):
         before = window.state["frame"]
         x, y = window.state["knobs"][label]
-        window.mouse("mousemove", "--sync", x, y, "mousedown", 1)
+        window.mouse("mousemove", x, y, "mousedown", 1)
         # The window has to see the button go down before the mouse moves on.
         window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
-        window.mouse("mousemove", "--sync", x + distance, y)
+        window.mouse("mousemove", x + distance, y)
         window.wait(changed, label + " to change", since=before)
         window.mouse("mouseup", 1)
         state = window.wait(lambda s: changed(s) and shown(s), "the picture", since=before)
@@ -115,7 +115,7 @@ class MouseTests(Tests):
     def click_knob(self, window, label, condition):
         before = window.state["frame"]
         x, y = window.state["knobs"][label]
-        window.mouse("mousemove", "--sync", x, y, "mousedown", 1)
+        window.mouse("mousemove", x, y, "mousedown", 1)
         window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
         window.mouse("mouseup", 1)
         return window.wait(lambda s: condition(s) and shown(s), label, since=before)
@@ -132,7 +132,7 @@ class MouseTests(Tests):
         window = self.open_tiny()
         x, y = window.state["knobs"]["rays per pixel"]
         before = window.state["frame"]
-        window.mouse("mousemove", "--sync", x, y, "mousedown", 1)
+        window.mouse("mousemove", x, y, "mousedown", 1)
         window.wait(lambda s: s["typing"], "the field to take the keys", since=before)
         window.mouse("mouseup", 1)
         window.key("ctrl+a", "1", "6", "Return")

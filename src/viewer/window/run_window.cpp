@@ -82,6 +82,8 @@ class WindowLoop {
         frames_to_settle_ = frames_after_event;
         draw_at(Clock::now() + (session_.task() == task ? std::chrono::milliseconds(0) : wait_for_picture));
       }
+      // A field that is typed in has to see a key go down in one frame and up in another.
+      if (event.type == SDL_KEYDOWN && ImGui::GetIO().WantTextInput) return draw_at(Clock::now());
       more = SDL_PollEvent(&event) != 0;
     }
   }

@@ -20,11 +20,12 @@ def main():
     display = Display("1280x760")
 
     def open_window(scene, *options):
-        return Window(display, penumbra, os.path.join(ROOT, "scenes", scene), *options, folder=folder)
+        return Window(display, penumbra, scene, *options, folder=folder)
 
     def take(window, name):
         # The picture of the last event is on the screen two frames after it.
         frame = window.state["frame"]
+        window.move(9, 9)
         window.move(3, 3)
         window.wait(lambda s: s["frame"] >= frame + 2, "another frame", since=frame)
         window.screenshot(os.path.join(IMAGES, "view-" + name + ".png"), (0, 0, 1100, 640))
@@ -32,6 +33,8 @@ def main():
 
     size = ("--window", "1100x640")
     with tempfile.TemporaryDirectory() as folder:
+        for name in os.listdir(os.path.join(ROOT, "scenes")):
+            os.symlink(os.path.join(ROOT, "scenes", name), os.path.join(folder, name))
         window = open_window("s08b.cli", "--rays", "256", *size)
         window.wait_for_rays(256)
         take(window, "window")
@@ -58,8 +61,7 @@ def main():
         scene = os.path.join(folder, "broken.cli")
         with open(scene, "w") as file:
             file.write(text)
-        os.symlink(os.path.join(ROOT, "scenes", "parts"), os.path.join(folder, "parts"))
-        window = open_window(scene, "--rays", "16", *size)
+        window = open_window("broken.cli", "--rays", "16", *size)
         window.wait_for_rays(16)
         with open(scene, "w") as file:
             file.write("shpere 1 0 0 -5\n" + text)

@@ -88,8 +88,12 @@ void draw_inspector(const Session& session) {
   if (!inspection || !session.picture()) return;
   draw_rays(session, *inspection);
   const WindowArea& area = session.view().area();
-  const double height = std::min(300.0, area.height * 0.55);
-  ImGui::SetNextWindowPos(place(area.x + 8, area.y + area.height - height - 8), ImGuiCond_Appearing);
+  const double height = std::min(300.0, area.height * 0.45);
+  // In the half of the window where the pixel is not.
+  const double pixel = session.view().in_window(inspection->at.x, inspection->at.y).y;
+  const bool above = pixel > area.y + area.height / 2.0;
+  ImGui::SetNextWindowPos(place(area.x + 8, above ? area.y + 8 : area.y + area.height - height - 8),
+                          ImGuiCond_Appearing);
   ImGui::SetNextWindowSize(place(std::min(area.width - 16, 720), height), ImGuiCond_Appearing);
   ImGui::SetNextWindowBgAlpha(0.9f);
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |

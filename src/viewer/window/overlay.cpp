@@ -66,7 +66,7 @@ std::string error_text(const std::optional<double>& error) { return error ? fmt:
 std::string status_line(const Session& session) {
   std::string text = session.path().filename().string();
   const auto& picture = session.picture();
-  if (!picture || !session.picture_is_current()) return text + "   ...";
+  if (!picture || !session.picture_is_current()) return text + (session.error().empty() ? "   ..." : "   has an error");
   text += fmt::format("   {} rays per pixel", picture->rays);
   if (session.knobs().limit > 0) text += fmt::format(" of {}", session.knobs().limit);
   if (session.paused()) text += " (paused)";

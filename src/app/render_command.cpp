@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -30,6 +31,9 @@ constexpr int exit_software = 70;
 constexpr int exit_cannot_create = 73;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Of all threads since the program started. Where others use the processor too, this says more than time by the clock.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
@@ -136,6 +140,7 @@ class RenderRun {
     if (options_.debug_pixel) return print_rays(frame, kernel, *options_.debug_pixel, most_rays);
 
     start = Clock::now();
+    const double cpu_start = cpu_seconds();
     Film film(plan.crop, plan.layers, options_.noise ? SampleCounts::per_pixel : SampleCounts::uniform);
     RenderState state;
     AdaptiveResult result;
@@ -153,6 +158,7 @@ class RenderRun {
     stats_.samples += rays.camera;
     const double render_seconds = seconds_since(start);
     stats_.render_seconds += render_seconds;
+    stats_.render_cpu_seconds += cpu_seconds() - cpu_start;
     if (result.unfinished_pixels > 0 && !options_.quiet) {
       fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
                  result.unfinished_pixels, pixels, most_rays, *options_.noise);

@@ -142,12 +142,13 @@ class WindowLoop {
     window_.begin_frame(mouse_.cursor());
     layer_.draw(session_);
     const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
-    draw_inspector(session_);
+    const std::optional<WindowArea> inspector = draw_inspector(session_);
+    mouse_.set_covered(inspector);
     draw_overlays(session_, width, height);
     window_.end_frame();
     next_draw_ = frames_to_settle_ > 0 ? Clock::now() + settle_interval : Clock::time_point::max();
     frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
-    report_.frame(session_, width, height, events_, knobs, ImGui::GetIO().WantTextInput);
+    report_.frame(session_, width, height, events_, knobs, inspector, ImGui::GetIO().WantTextInput);
   }
 
   SdlWindow window_;

@@ -59,7 +59,7 @@ class KeyTests(Tests):
         window.press("2", lambda s: s["scene"].endswith("s02b.cli") and current(s), "s02b.cli")
 
     def test_help(self):
-        window = self.open_tiny()
+        window = self.open_tiny("--rays", "4")
         window.wait_for_rays(4)
         window.screenshot(self.path("plain.png"))
         state = window.press("h", lambda s: s["help"], "help")

@@ -88,7 +88,7 @@ std::optional<WindowArea> draw_inspector(const Session& session) {
   if (!inspection || !session.picture()) return {};
   draw_rays(session, *inspection);
   const WindowArea& area = session.view().area();
-  const double height = std::min(300.0, area.height * 0.45);
+  const double height = std::min(340.0, area.height * 0.45);
   // In the half of the window where the pixel is not.
   const double pixel = session.view().in_window(inspection->at.x, inspection->at.y).y;
   const bool above = pixel > area.y + area.height / 2.0;

@@ -80,6 +80,7 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
   const std::filesystem::path name(call.word(0));
   NamedFile file;
   file.path = name.is_absolute() ? name : reading.open_files.back().path.parent_path() / name;
+  remember_file(reading, file.path);
   file.loaded = reading.load(file.path);
   if (!file.loaded.problem.empty()) {
     reading.diagnostics.error(call.place_of_argument(0),
@@ -90,7 +91,6 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
     reading.diagnostics.error(call.place(), wrong);
     return std::nullopt;
   }
-  remember_file(reading, file.path);
   return file;
 }
 
@@ -136,7 +136,7 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
 }
 
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  return read_scene_with(path, std::nullopt, options, load_from_disk);
+  return read_scene_with(path, std::nullopt, options, options.edited ? load_copy_from_disk : load_from_disk);
 }
 
 SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options) {

@@ -1,4 +1,4 @@
-#include "app/picture.hpp"
+#include "picture/develop.hpp"
 
 #include <algorithm>
 
@@ -30,8 +30,13 @@ void add_layer(ImageFile& file, const std::string& name, const std::string& lett
 
 }  // namespace
 
+void expose(Image& image, double exposure) {
+  if (exposure == 1) return;
+  for (float& value : image.rgb) value = static_cast<float>(value * exposure);
+}
+
 ImageFile develop(const Film& film, int full_width, int full_height, const std::vector<PaintedRect>& rects,
-                  Metadata metadata) {
+                  double exposure, Metadata metadata) {
   const Crop& crop = film.crop();
   ImageFile file;
   file.image = {crop.width(), crop.height(), film.color()};
@@ -40,6 +45,7 @@ ImageFile develop(const Film& film, int full_width, int full_height, const std::
   file.full_height = full_height;
   file.metadata = std::move(metadata);
   for (const PaintedRect& rect : rects) paint(file.image, crop, full_height, rect);
+  expose(file.image, exposure);
   const Layers& layers = film.layers();
   if (layers.depth) add_layer(file, "depth", "Z", film.depth());
   if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());

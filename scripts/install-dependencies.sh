@@ -5,7 +5,7 @@
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev libcli11-dev
-                libfmt-dev nlohmann-json3-dev)
+                libfmt-dev libxxhash-dev nlohmann-json3-dev)
 test_packages=(libgtest-dev openimageio-tools)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 machines_packages=(qemu-user)

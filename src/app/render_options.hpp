@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sitting_options.hpp"
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 #include "tracing/lens_model.hpp"
@@ -41,6 +42,7 @@ struct RenderOptions {
   Layers layers;
   ProgressStyle progress = ProgressStyle::automatic;
   std::string stats;
+  SittingOptions sitting;
 };
 
 // Adds the subcommand `render` to `app`; parsing fills `options` and throws CLI::ParseError for what is no good.

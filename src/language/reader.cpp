@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "language/reading.hpp"
@@ -136,7 +137,16 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
 }
 
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  return read_scene_with(path, std::nullopt, options, load_from_disk);
+  if (!options.hash) return read_scene_with(path, std::nullopt, options, load_from_disk);
+  ContentHasher hasher;
+  const auto load = [&hasher](const std::filesystem::path& file) {
+    LoadedFile loaded = load_from_disk(file);
+    hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
+    return loaded;
+  };
+  SceneFile result = read_scene_with(path, std::nullopt, options, load);
+  result.hash = hasher.value();
+  return result;
 }
 
 SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options) {

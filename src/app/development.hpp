@@ -1,0 +1,28 @@
+// What turns a finished film into the files of a picture: all but the film itself. A part of a picture carries it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+#include "image/quantize.hpp"
+#include "language/scene_file.hpp"
+#include "rendering/film.hpp"
+
+namespace penumbra {
+
+struct Development {
+  int full_width = 0, full_height = 0;
+  std::vector<PaintedRect> rects;
+  Metadata metadata;
+  int bits = 8;  // for each colour in a PNG
+  Rounding rounding = Rounding::nearest;
+};
+
+ImageFile develop(const Film& film, const Development& development);
+
+// As bytes and back. Throws ArchiveError where the bytes cannot be one.
+std::string to_bytes(const Development& development);
+Development development_from(const std::string& bytes);
+
+}  // namespace penumbra

@@ -3,7 +3,8 @@
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  what takes longer: all tests, ten minutes of fuzzing, point sets of every size, adaptive errors
+#   make test-long  what takes longer: all tests, twenty minutes of fuzzing, point sets of every size, adaptive errors,
+#                   renders killed 200 times and 500 times while they write
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
@@ -38,6 +39,7 @@ test:
 test-long: test fuzz
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
+	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
 
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench

@@ -42,8 +42,9 @@ test-long: test fuzz
 	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
 
 bench: build
-	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench
-	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
+	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
+	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
 
 instructions: build
 	@scripts/install-dependencies.sh instructions

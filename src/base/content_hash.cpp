@@ -1,34 +1,25 @@
 #include "base/content_hash.hpp"
 
+#define XXH_INLINE_ALL  // no library to load when the program starts
 #include <xxhash.h>
-
-#include <new>
 
 namespace penumbra {
 
 struct ContentHasher::State {
-  XXH3_state_t* xxh = XXH3_createState();
-
-  State() {
-    if (!xxh) throw std::bad_alloc();
-    XXH3_128bits_reset(xxh);
-  }
-  ~State() { XXH3_freeState(xxh); }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
+  XXH3_state_t xxh;
 };
 
-ContentHasher::ContentHasher() : state_(std::make_unique<State>()) {}
+ContentHasher::ContentHasher() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh); }
 ContentHasher::~ContentHasher() = default;
 
 void ContentHasher::add(std::span<const std::byte> content) {
   const std::uint64_t size = content.size();
-  XXH3_128bits_update(state_->xxh, &size, sizeof size);
-  XXH3_128bits_update(state_->xxh, content.data(), content.size());
+  XXH3_128bits_update(&state_->xxh, &size, sizeof size);
+  XXH3_128bits_update(&state_->xxh, content.data(), content.size());
 }
 
 ContentHash ContentHasher::value() const {
-  const XXH128_hash_t hash = XXH3_128bits_digest(state_->xxh);
+  const XXH128_hash_t hash = XXH3_128bits_digest(&state_->xxh);
   return {hash.low64, hash.high64};
 }
 

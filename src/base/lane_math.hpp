@@ -93,6 +93,23 @@ PENUMBRA_INLINE Floats pow(Floats base, Floats exponent) {
   return select(exponent == Floats(0), Floats(1), keep(~tiny, power));
 }
 
+// base^exponent for a whole exponent > 0, by squaring; relative error below exponent * 2^-24. Both kinds multiply in
+// one order, so that they give the same bits.
+PENUMBRA_INLINE Floats whole_power(Floats base, std::uint32_t exponent) {
+  Floats result = Floats(1);
+  for (; exponent != 0; exponent >>= 1, base *= base) {
+    if ((exponent & 1) != 0) result *= base;
+  }
+  return result;
+}
+PENUMBRA_INLINE Floats whole_power(Floats base, Ints exponent) {
+  Floats result = Floats(1);
+  for (; any(~(exponent == Ints(0u))); exponent = exponent >> 1, base *= base) {
+    result = select((exponent & Ints(1u)) == Ints(1u), result * base, result);
+  }
+  return result;
+}
+
 // Arc cosine in turns (acos(x) / 2 pi) for x in [-1, 1]; absolute error below 1e-7 turns. Abramowitz and Stegun 4.4.46.
 PENUMBRA_INLINE Floats acos_turns(Floats x) {
   const Floats a = abs(x);

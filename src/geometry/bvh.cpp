@@ -8,6 +8,7 @@ namespace penumbra {
 namespace {
 
 constexpr double node_cost = 1.0;
+constexpr double cost_of_few = 4;  // up to here a tree costs more than it saves
 constexpr std::size_t sweep_limit = 512;
 constexpr int bin_count = 32;
 constexpr int balanced_below_depth = 36;  // from here on halves, so that 2^24 items still end above depth 60
@@ -113,11 +114,13 @@ struct Builder {
   NodeReference build(std::size_t begin, std::size_t end, int depth) {
     const std::span<BvhItem> part = items.subspan(begin, end - begin);
     const auto count = static_cast<std::uint32_t>(part.size());
-    if (count <= 1) return leaf_reference(first_leaf + static_cast<std::uint32_t>(begin), count);
-
-    const double area = half_area(bounds_of(part));
     double leaf_cost = 0;
     for (const BvhItem& item : part) leaf_cost += item.cost;
+    if (count <= 1 || (depth == 0 && leaf_cost <= cost_of_few)) {
+      return leaf_reference(first_leaf + static_cast<std::uint32_t>(begin), count);
+    }
+
+    const double area = half_area(bounds_of(part));
     Split split;
     split.cost = count <= largest_run ? area * leaf_cost - area * node_cost : DBL_MAX;
     if (depth < balanced_below_depth) {

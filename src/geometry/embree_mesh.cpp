@@ -1,15 +1,16 @@
 #include "geometry/embree_mesh.hpp"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <stdexcept>
+
+#include "geometry/embree_library.hpp"
 
 namespace penumbra {
 namespace {
 
 void check(RTCDevice device) {
-  const RTCError code = rtcGetDeviceError(device);
+  const RTCError code = embree_library().rtcGetDeviceError(device);
   if (code == RTC_ERROR_NONE) return;
   throw std::runtime_error(code == RTC_ERROR_OUT_OF_MEMORY ? "not enough memory to build the triangle mesh"
                                                            : fmt::format("Embree failed with error {}", int(code)));
@@ -37,28 +38,30 @@ void settle_tie(const RTCFilterFunctionNArguments* arguments) {
 }  // namespace
 
 std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std::span<const TriangleRange> ranges) {
+  const EmbreeLibrary& embree = embree_library();
   if (!device_) {
     const std::string config = fmt::format("threads={}", threads_);
-    device_.reset(rtcNewDevice(config.c_str()), rtcReleaseDevice);
+    device_.reset(embree.rtcNewDevice(config.c_str()), embree.rtcReleaseDevice);
     if (!device_) check(nullptr);
   }
   RTCDevice device = device_.get();
-  std::shared_ptr<RTCSceneTy> scene(rtcNewScene(device), [keep = device_](RTCScene s) { rtcReleaseScene(s); });
+  std::shared_ptr<RTCSceneTy> scene(embree.rtcNewScene(device),
+                                    [keep = device_, &embree](RTCScene s) { embree.rtcReleaseScene(s); });
   check(device);
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  embree.rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  embree.rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
   for (std::size_t i = 0; i < ranges.size(); i++) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, store.vertices.data(), 0, 12,
-                               store.vertices.size() / 3);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, store.indices.data(),
-                               std::size_t{ranges[i].first} * 12, 12, ranges[i].count);
-    rtcSetGeometryIntersectFilterFunction(geometry, settle_tie);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
-    rtcReleaseGeometry(geometry);
+    RTCGeometry geometry = embree.rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    embree.rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, store.vertices.data(), 0,
+                                      12, store.vertices.size() / 3);
+    embree.rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, store.indices.data(),
+                                      std::size_t{ranges[i].first} * 12, 12, ranges[i].count);
+    embree.rtcSetGeometryIntersectFilterFunction(geometry, settle_tie);
+    embree.rtcCommitGeometry(geometry);
+    embree.rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
+    embree.rtcReleaseGeometry(geometry);
   }
-  rtcCommitScene(scene.get());
+  embree.rtcCommitScene(scene.get());
   check(device);
   return scene;
 }

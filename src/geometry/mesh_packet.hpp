@@ -2,46 +2,54 @@
 // the arithmetic of our own triangles, so that both rooms agree on what is equally far.
 #pragma once
 
-#include <embree3/rtcore.h>
-
+#include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
 #include "geometry/rays.hpp"
 #include "geometry/triangle_kernel.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
+// As wide as one vector of a packet.
 #if PENUMBRA_LANES == 16
 using EmbreeRays = RTCRay16;
 using EmbreeRayHits = RTCRayHit16;
-inline constexpr auto embree_intersect = rtcIntersect16;
-inline constexpr auto embree_occluded = rtcOccluded16;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect16;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded16;
 #elif PENUMBRA_LANES == 8
 using EmbreeRays = RTCRay8;
 using EmbreeRayHits = RTCRayHit8;
-inline constexpr auto embree_intersect = rtcIntersect8;
-inline constexpr auto embree_occluded = rtcOccluded8;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect8;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded8;
 #else
 using EmbreeRays = RTCRay4;
 using EmbreeRayHits = RTCRayHit4;
-inline constexpr auto embree_intersect = rtcIntersect4;
-inline constexpr auto embree_occluded = rtcOccluded4;
+inline constexpr auto embree_intersect = &EmbreeLibrary::rtcIntersect4;
+inline constexpr auto embree_occluded = &EmbreeLibrary::rtcOccluded4;
 #endif
+
+// The lanes of one vector, which is what Embree takes.
+PENUMBRA_INLINE void store_half(float* p, Floats a, int half) {
+  __builtin_memcpy(p, half == 0 ? &a.lo : &a.hi, sizeof a.lo);
+}
+PENUMBRA_INLINE void store_half(std::uint32_t* p, Ints a, int half) {
+  __builtin_memcpy(p, half == 0 ? &a.lo : &a.hi, sizeof a.lo);
+}
 
 // Embree is asked a little further than the nearest hit so far, so that a tie is never lost to its rounding.
 inline constexpr float tie_margin = 1.0f + 1.0f / (1 << 19);
 
-PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest) {
-  store(out.org_x, rays.origin.x);
-  store(out.org_y, rays.origin.y);
-  store(out.org_z, rays.origin.z);
-  store(out.dir_x, rays.direction.x);
-  store(out.dir_y, rays.direction.y);
-  store(out.dir_z, rays.direction.z);
-  store(out.tnear, rays.nearest);
-  store(out.tfar, farthest);
-  store(out.time, Floats(0));
-  store(out.mask, Ints(0xffffffffu));
-  store(out.flags, Ints(0u));
+PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, int half) {
+  store_half(out.org_x, rays.origin.x, half);
+  store_half(out.org_y, rays.origin.y, half);
+  store_half(out.org_z, rays.origin.z, half);
+  store_half(out.dir_x, rays.direction.x, half);
+  store_half(out.dir_y, rays.direction.y, half);
+  store_half(out.dir_z, rays.direction.z, half);
+  store_half(out.tnear, rays.nearest, half);
+  store_half(out.tfar, farthest, half);
+  store_half(out.time, Floats(0), half);
+  store_half(out.mask, Ints(0xffffffffu), half);
+  store_half(out.flags, Ints(0u), half);
 }
 
 PENUMBRA_INLINE RTCIntersectContext embree_context(const Rays& rays) {
@@ -79,34 +87,57 @@ inline MeshTriangles triangles_found(const World& world, const Mesh& mesh, const
   return {corner_at(0), corner_at(1), corner_at(2), load(surface), load(order)};
 }
 
+// What Embree finds, for each lane.
+struct EmbreeHits {
+  alignas(64) std::uint32_t geometry[lane_count];
+  alignas(64) std::uint32_t primitive[lane_count];
+  alignas(64) float distance[lane_count];
+};
+
+// Half a packet at a time: packets are as wide as Embree's only so that it does not show who shares one.
+PENUMBRA_INLINE Mask find_in_mesh(const Mesh& mesh, const Rays& rays, Floats farthest, Mask active, EmbreeHits& hits) {
+  const Ints invalid = Ints(RTC_INVALID_GEOMETRY_ID);
+  const Ints active_bits = lane_bits(active);
+  store(hits.geometry, invalid);
+  for (int half = 0; half < 2; half++) {
+    const std::size_t first = static_cast<std::size_t>(half) * vector_lanes;
+    if ((bits(active) >> first & ((1u << vector_lanes) - 1u)) == 0) continue;
+    alignas(64) EmbreeRayHits query;
+    fill(query.ray, rays, farthest, half);
+    store_half(query.hit.geomID, invalid, half);
+    store_half(query.hit.instID[0], invalid, half);
+    store_half(query.ray.id, lane_numbers(), 0);
+    alignas(64) std::uint32_t valid[vector_lanes];
+    store_half(valid, active_bits, half);
+    TieContext tie{embree_context(rays), &mesh, {}, {}};
+    store_half(tie.distance, Floats(-1), half);
+    (mesh.embree->*embree_intersect)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
+    __builtin_memcpy(hits.geometry + first, query.hit.geomID, sizeof valid);
+    __builtin_memcpy(hits.primitive + first, query.hit.primID, sizeof valid);
+    __builtin_memcpy(hits.distance + first, query.ray.tfar, sizeof valid);
+  }
+  return active & ~(load(hits.geometry) == invalid);
+}
+
 // Fills in the lanes whose nearest hit is in this mesh, and tells which. Rays are in the space of the mesh.
 inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& rays, Mask active, Hits& hits) {
   const Mesh& mesh = world.meshes[leaf.target];
-  alignas(64) EmbreeRayHits query;
-  fill(query.ray, rays, hits.distance * Floats(tie_margin));
-  const Ints invalid = Ints(RTC_INVALID_GEOMETRY_ID);
-  store(query.hit.geomID, invalid);
-  store(query.hit.instID[0], invalid);
-  alignas(64) std::uint32_t valid[lane_count];
-  store(valid, lane_bits(active));
-  store(query.ray.id, lane_numbers());
-  TieContext tie{embree_context(rays), &mesh, {}, {}};
-  store(tie.distance, Floats(-1));
-  embree_intersect(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
-  const Mask found = active & ~(load(query.hit.geomID) == invalid);
+  EmbreeHits query;
+  const Mask found = find_in_mesh(mesh, rays, hits.distance * Floats(tie_margin), active, query);
   if (none(found)) return found;
 
-  const MeshTriangles triangles = triangles_found(world, mesh, query.hit.geomID, query.hit.primID, found);
+  const MeshTriangles triangles = triangles_found(world, mesh, query.geometry, query.primitive, found);
   const Float3 across = cross(triangles.b - triangles.a, triangles.c - triangles.a);
   const Floats size = sqrt(dot(across, across));
   const Float3 normal{across.x / size, across.y / size, across.z / size};
   const Floats cosine = dot(normal, rays.direction);
   const Floats plane = dot(normal, triangles.a - rays.origin) / cosine;
   const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));
-  Floats distance = select(grazing | ~(plane > Floats(0)), load(query.ray.tfar), plane);
+  Floats distance = select(grazing | ~(plane > Floats(0)), load(query.distance), plane);
   if (any(found & grazing)) {
-    const Crossing own = cross_triangle(triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin,
-                                        normal, rays.direction, rays.nearest, RayShear(rays.direction, found));
+    const Crossing own =
+        cross_triangle({triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin, normal},
+                       rays.direction, rays.nearest, RayShear(rays.direction, found));
     distance = select(grazing & own.hit, own.distance, distance);
   }
   const Mask nearer =
@@ -127,13 +158,21 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
 
 // Which of the active rays meet a triangle of the mesh nearer than `farthest`.
 inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays, Floats farthest, Mask active) {
-  alignas(64) EmbreeRays query;
-  fill(query, rays, farthest);
-  alignas(64) std::uint32_t valid[lane_count];
-  store(valid, lane_bits(active));
-  RTCIntersectContext context = embree_context(rays);
-  embree_occluded(reinterpret_cast<const int*>(valid), world.meshes[leaf.target].scene.get(), &context, &query);
-  return active & (load(query.tfar) < Floats(0));
+  const Mesh& mesh = world.meshes[leaf.target];
+  const Ints active_bits = lane_bits(active);
+  alignas(64) float distance[lane_count] = {};
+  for (int half = 0; half < 2; half++) {
+    const std::size_t first = static_cast<std::size_t>(half) * vector_lanes;
+    if ((bits(active) >> first & ((1u << vector_lanes) - 1u)) == 0) continue;
+    alignas(64) EmbreeRays query;
+    fill(query, rays, farthest, half);
+    alignas(64) std::uint32_t valid[vector_lanes];
+    store_half(valid, active_bits, half);
+    RTCIntersectContext context = embree_context(rays);
+    (mesh.embree->*embree_occluded)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &context, &query);
+    __builtin_memcpy(distance + first, query.tfar, sizeof valid);
+  }
+  return active & (load(distance) < Floats(0));
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

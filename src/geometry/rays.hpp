@@ -24,14 +24,18 @@ struct Hits {
   Float3 normal;  // outward, unit length in the world
   Ints surface;
   Mask two_sided;        // a triangle: shading turns its normal to the viewer
-  Float3 texture_point;  // in the space where the shape was defined
+  Float3 texture_point;  // in the space where the shape was defined; where the world has textures
   Floats magnitude;      // largest coordinate met on the way to the point: the scale of its rounding error
 
-  PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false), two_sided(false) {
+  PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false) {}
+
+  // Defines what is known of hits only.
+  PENUMBRA_INLINE void clear() {
     const Float3 zero{0.0f, 0.0f, 0.0f};
     point = normal = texture_point = zero;
     surface = Ints(0u);
     magnitude = Floats(0);
+    two_sided = Mask(false);
   }
 };
 

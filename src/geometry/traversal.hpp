@@ -71,9 +71,9 @@ PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf) {
   const bool placed = leaf.placement != no_placement;
   const Float3 origin = local_origin(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::triangle) {
-    return cross_triangle(broadcast3(leaf.data) - origin, broadcast3(leaf.data + 3) - origin,
-                          broadcast3(leaf.data + 6) - origin, broadcast3(leaf.data + 9), g.rays.direction,
-                          g.rays.nearest, g.shear);
+    return cross_triangle({broadcast3(leaf.data) - origin, broadcast3(leaf.data + 3) - origin,
+                           broadcast3(leaf.data + 6) - origin, broadcast3(leaf.data + 9)},
+                          g.rays.direction, g.rays.nearest, g.shear);
   }
   const Float3 direction = local_direction(g.world, leaf, g.rays);
   switch (leaf.kind) {
@@ -88,7 +88,8 @@ PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf) {
   }
 }
 
-// Fills in `hits` for the lanes that hit this leaf at `distance`.
+// Fills in `hits` for the lanes that hit this leaf at `distance`; where `whole`, for all lanes.
+template <bool whole>
 PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes, Hits& hits) {
   const Float3 origin = local_origin(g.world, leaf, g.rays);
   const Float3 direction = local_direction(g.world, leaf, g.rays);
@@ -116,14 +117,21 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
     point = multiply(placement.linear, point) + broadcast3(placement.translation);
     normal = normalize(multiply_transposed(placement.inverse, normal));
   }
-  hits.texture_point = select(lanes, point, hits.texture_point);
+  const auto set = [&](auto& field, auto value) {
+    if constexpr (whole) {
+      field = value;
+    } else {
+      field = select(lanes, value, field);
+    }
+  };
+  if (g.world.has_textures) set(hits.texture_point, point);
   if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
-  hits.point = select(lanes, point, hits.point);
-  hits.normal = select(lanes, normal, hits.normal);
-  hits.surface = select(lanes, Ints(leaf.target), hits.surface);
-  hits.magnitude = select(lanes, Floats(leaf.magnitude), hits.magnitude);
+  set(hits.point, point);
+  set(hits.normal, normal);
+  set(hits.surface, Ints(leaf.target));
+  set(hits.magnitude, Floats(leaf.magnitude));
   const Mask triangle(leaf.kind == LeafKind::triangle);
-  hits.two_sided = (hits.two_sided & ~lanes) | (lanes & triangle);
+  hits.two_sided = whole ? triangle : (hits.two_sided & ~lanes) | (lanes & triangle);
 }
 
 void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits);
@@ -171,37 +179,44 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   hits.found |= improved;
 }
 
-// The state of a search for the nearest hit in one group: which leaf each lane has, until hits are filled in at the
-// end.
+// The state of a search for the nearest hit in one group: how far it is, and which leaf each lane has, until hits are
+// filled in at the end.
 struct NearestSearch {
   static constexpr std::uint32_t no_leaf = 0xffffffffu;
-  Hits& hits;
-  Floats cull_distance;
+  Hits& hits;  // filled in by nested leaves on the way
+  Floats distance;
+  Ints order;
+  Mask found{false};
   Ints leaf{no_leaf};  // index into World::leaves; none where a nested leaf filled in the hit itself
+  Floats cull_distance;
 
-  PENUMBRA_INLINE explicit NearestSearch(Hits& h) : hits(h), cull_distance(h.distance * Floats(distance_margin)) {}
+  PENUMBRA_INLINE explicit NearestSearch(Hits& h)
+      : hits(h), distance(h.distance), order(h.order), cull_distance(h.distance * Floats(distance_margin)) {}
 
   PENUMBRA_INLINE void visit(const GroupRays& g, std::uint32_t index, Mask active) {
     const Leaf& candidate = g.world.leaves[index];
     if (candidate.kind >= LeafKind::mesh) {
-      const Floats before = hits.distance;
-      const Ints order_before = hits.order;
+      hits.distance = distance;
+      hits.order = order;
       intersect_nested(g, candidate, active, hits);
-      const Mask changed = ~((before == hits.distance) & (order_before == hits.order));
+      const Mask changed = ~((distance == hits.distance) & (order == hits.order));
+      distance = hits.distance;
+      order = hits.order;
       leaf = select(changed, Ints(no_leaf), leaf);
+      found |= changed;
     } else {
       const Crossing crossing = cross_shape(g, candidate);
-      const Ints order = Ints(candidate.order);
+      const Ints candidate_order = Ints(candidate.order);
       const Mask nearer =
           active & crossing.hit &
-          ((crossing.distance < hits.distance) | ((crossing.distance == hits.distance) & (order < hits.order)));
+          ((crossing.distance < distance) | ((crossing.distance == distance) & (candidate_order < order)));
       if (none(nearer)) return;
-      hits.distance = select(nearer, crossing.distance, hits.distance);
-      hits.order = select(nearer, order, hits.order);
+      distance = select(nearer, crossing.distance, distance);
+      order = select(nearer, candidate_order, order);
       leaf = select(nearer, Ints(index), leaf);
-      hits.found |= nearer;
+      found |= nearer;
     }
-    cull_distance = hits.distance * Floats(distance_margin);
+    cull_distance = distance * Floats(distance_margin);
   }
   PENUMBRA_INLINE bool done(Mask) const { return false; }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats enter) const { return active & (enter <= cull_distance); }
@@ -294,20 +309,42 @@ PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask activ
   }
 }
 
-inline void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
+// Fills in the lanes of `hits` that meet something of the group nearer than they did so far. Of the `fresh` hits of a
+// new ray only distance and order are defined.
+template <bool fresh>
+PENUMBRA_INLINE void find_nearest(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
+  bool defined = !fresh;
+  if (fresh && world.groups[group].has_nested) {
+    hits.clear();
+    defined = true;
+  }
   const GroupRays g(world, world.groups[group], rays, active);
   NearestSearch search(hits);
   traverse(g, world.groups[group].root, active, search);
 
+  hits.distance = search.distance;
+  hits.order = search.order;
+  hits.found = fresh ? search.found : hits.found | search.found;
   alignas(64) std::uint32_t leaf_of_lane[lane_count];
   store(leaf_of_lane, search.leaf);
-  Mask open = active & ~(search.leaf == Ints(NearestSearch::no_leaf));
+  Mask open = search.found & ~(search.leaf == Ints(NearestSearch::no_leaf));
   while (any(open)) {
     const std::uint32_t index = leaf_of_lane[__builtin_ctz(bits(open))];
     const Mask same = open & (search.leaf == Ints(index));
-    finish_hit(g, world.leaves[index], same, hits);
+    if (!defined && bits(same) == bits(open)) {
+      finish_hit<true>(g, world.leaves[index], same, hits);
+      return;
+    }
+    if (!defined) hits.clear();
+    defined = true;
+    finish_hit<false>(g, world.leaves[index], same, hits);
     open = open & ~same;
   }
+  if (!defined) hits.clear();
+}
+
+inline void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
+  find_nearest<false>(world, group, rays, active, hits);
 }
 
 inline Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active) {
@@ -318,9 +355,9 @@ inline Mask occluded_group(const World& world, std::uint32_t group, const Rays& 
 }
 
 // What the rays hit first, nearer than `farthest`.
-inline Hits intersect(const World& world, const Rays& rays, Floats farthest, Mask active) {
+__attribute__((noinline)) inline Hits intersect(const World& world, const Rays& rays, Floats farthest, Mask active) {
   Hits hits(farthest);
-  intersect_group(world, 0, rays, active, hits);
+  find_nearest<true>(world, 0, rays, active, hits);
   return hits;
 }
 

@@ -22,7 +22,10 @@ struct RayShear {
     y_largest = ~z_largest & (size.y >= size.x);
     const std::uint32_t all = bits(active), on_z = bits(z_largest) & all, on_y = bits(y_largest) & all;
     agreed_axis = on_z == all ? 2 : on_y == all ? 1 : (on_z | on_y) == 0 ? 0 : -1;
-    const Turned turned = turn(d);
+    const Turned turned = agreed_axis == 2   ? turn<2>(d)
+                          : agreed_axis == 1 ? turn<1>(d)
+                          : agreed_axis == 0 ? turn<0>(d)
+                                             : turn<-1>(d);
     inverse = Floats(1) / turned.along;
     slope_x = -(turned.next * inverse);
     slope_y = -(turned.last * inverse);
@@ -32,19 +35,13 @@ struct RayShear {
   struct Turned {
     Floats along, next, last;
   };
+  template <int axis>
   PENUMBRA_INLINE Turned turn(Float3 v) const {
-    switch (agreed_axis) {
-      case 0:
-        return {v.x, v.y, v.z};
-      case 1:
-        return {v.y, v.z, v.x};
-      case 2:
-        return {v.z, v.x, v.y};
-      default:
-        return {select(z_largest, v.z, select(y_largest, v.y, v.x)),
-                select(z_largest, v.x, select(y_largest, v.z, v.y)),
-                select(z_largest, v.y, select(y_largest, v.x, v.z))};
-    }
+    if constexpr (axis == 0) return {v.x, v.y, v.z};
+    if constexpr (axis == 1) return {v.y, v.z, v.x};
+    if constexpr (axis == 2) return {v.z, v.x, v.y};
+    return {select(z_largest, v.z, select(y_largest, v.y, v.x)), select(z_largest, v.x, select(y_largest, v.z, v.y)),
+            select(z_largest, v.y, select(y_largest, v.x, v.z))};
   }
 
   // A corner, relative to the origin, as the ray sees it: in the plane across, and the distance along the ray.
@@ -52,16 +49,24 @@ struct RayShear {
     Floats x, y, along;
     PENUMBRA_INLINE Floats distance(const RayShear& shear) const { return along * shear.inverse; }
   };
+  template <int axis>
   PENUMBRA_INLINE Projected project(Float3 corner) const {
-    const Turned c = turn(corner);
+    const Turned c = turn<axis>(corner);
     return {c.next + c.along * slope_x, c.last + c.along * slope_y, c.along};
   }
 };
 
-// corners a, b, c relative to the ray's origin.
-PENUMBRA_INLINE Crossing cross_triangle(Float3 a, Float3 b, Float3 c, Float3 normal, Float3 direction, Floats nearest,
-                                        const RayShear& shear) {
-  const RayShear::Projected pa = shear.project(a), pb = shear.project(b), pc = shear.project(c);
+// A triangle, its corners relative to the origin of the rays.
+struct SeenTriangle {
+  Float3 a, b, c, normal;
+};
+
+template <int axis>
+PENUMBRA_INLINE Crossing cross_triangle_along(const SeenTriangle& triangle, Float3 direction, Floats nearest,
+                                              const RayShear& shear) {
+  const RayShear::Projected pa = shear.project<axis>(triangle.a);
+  const RayShear::Projected pb = shear.project<axis>(triangle.b);
+  const RayShear::Projected pc = shear.project<axis>(triangle.c);
   const Floats u = pc.x * pb.y - pc.y * pb.x;
   const Floats v = pa.x * pc.y - pa.y * pc.x;
   const Floats w = pb.x * pa.y - pb.y * pa.x;
@@ -72,14 +77,28 @@ PENUMBRA_INLINE Crossing cross_triangle(Float3 a, Float3 b, Float3 c, Float3 nor
   const Mask inside = (all_positive | all_negative) & (determinant != zero);
   if (none(inside)) return {inside, zero};
 
-  const Floats cosine = dot(normal, direction);
-  Floats t = dot(normal, a) / cosine;
+  const Floats cosine = dot(triangle.normal, direction);
+  Floats t = dot(triangle.normal, triangle.a) / cosine;
   const Mask grazing = inside & (cosine * cosine < Floats(1e-4f) * dot(direction, direction));
   if (any(grazing)) {
     const Floats weighted = u * pa.distance(shear) + v * pb.distance(shear) + w * pc.distance(shear);
     t = select(grazing, weighted / determinant, t);
   }
   return {inside & (t > nearest), t};
+}
+
+PENUMBRA_INLINE Crossing cross_triangle(const SeenTriangle& triangle, Float3 direction, Floats nearest,
+                                        const RayShear& shear) {
+  switch (shear.agreed_axis) {
+    case 0:
+      return cross_triangle_along<0>(triangle, direction, nearest, shear);
+    case 1:
+      return cross_triangle_along<1>(triangle, direction, nearest, shear);
+    case 2:
+      return cross_triangle_along<2>(triangle, direction, nearest, shear);
+    default:
+      return cross_triangle_along<-1>(triangle, direction, nearest, shear);
+  }
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

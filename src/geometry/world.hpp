@@ -16,6 +16,8 @@ struct RTCSceneTy;
 
 namespace penumbra {
 
+struct EmbreeLibrary;
+
 enum class LeafKind : std::uint8_t { sphere, box, cylinder, hollow_cylinder, triangle, mesh, instance };
 
 inline constexpr std::uint32_t no_placement = 0xffffffffu;
@@ -60,6 +62,7 @@ struct alignas(64) Node {
 struct WorldGroup {
   NodeReference root = leaf_reference(0, 0);
   bool has_triangles = false;
+  bool has_nested = false;  // meshes or instances
 };
 
 // Triangles of the store that follow each other both there and in the order of the file.
@@ -72,6 +75,7 @@ struct MeshChunk {
 
 // One Embree scene: a long run of static triangles; Embree's geometry k is chunk k.
 struct Mesh {
+  const EmbreeLibrary* embree = nullptr;
   std::shared_ptr<RTCSceneTy> scene;
   std::vector<MeshChunk> chunks;
 };

@@ -82,11 +82,25 @@ class PlyBody {
   bool skip_properties(const PlyElement& element, std::uint64_t i, std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; k++) {
       const PlyProperty& property = element.properties[k];
-      double count = 1;
-      if (property.is_list && !source_.read(property.count_type, count)) return fail_at_number(element, i);
-      if (!(count >= 0)) return fail(source_.at(), "a list has a negative length");
-      if (!source_.skip(property.type, static_cast<std::uint64_t>(count))) return fail_at_number(element, i);
+      std::uint64_t count = 1;
+      if (property.is_list && !read_length(element, property.count_type, i, count)) return false;
+      if (!source_.skip(property.type, count)) return fail_at_number(element, i);
     }
+    return true;
+  }
+
+  // The length of a list; one that cannot be in the file is an error here already.
+  bool read_length(const PlyElement& element, PlyType type, std::uint64_t i, std::uint64_t& length) {
+    const char* const at = source_.at();
+    double value = 0;
+    if (!source_.read(type, value)) return fail_at_number(element, i);
+    if (!(value >= 0) || value != std::floor(value))
+      return fail(at, fmt::format("a list cannot have length {}", value));
+    if (value > static_cast<double>(source_.remaining())) {
+      return fail(
+          at, fmt::format("a list of {} numbers cannot be in the {} bytes that are left", value, source_.remaining()));
+    }
+    length = static_cast<std::uint64_t>(value);
     return true;
   }
 
@@ -201,13 +215,11 @@ class PlyBody {
 
   bool read_face(const PlyElement& element, const PlyProperty& corners, std::uint64_t i) {
     const char* const at = source_.at();
-    double count = 0;
-    if (!source_.read(corners.count_type, count)) return fail_at_number(element, i);
-    if (!(count >= 3) || count != std::floor(count)) {
-      return fail(at, fmt::format("face {} has {} corners; it needs at least three", i, count));
-    }
+    std::uint64_t count = 0;
+    if (!read_length(element, corners.count_type, i, count)) return false;
+    if (count < 3) return fail(at, fmt::format("face {} has {} corners; it needs at least three", i, count));
     std::uint32_t first = 0, last = 0, current = 0;
-    for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(count); k++) {
+    for (std::uint64_t k = 0; k < count; k++) {
       if (!read_corner(element, corners.type, i, current)) return false;
       if (k == 0) first = current;
       if (k >= 2) {

@@ -109,6 +109,12 @@ std::size_t Film::bytes_per_pixel(const Layers& layers, SampleCounts counts) {
 
 std::vector<float> Film::means(const std::vector<double>& sums) const {
   std::vector<float> result(sums.size());
+  const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
+  if (*fewest == *most) {  // which is several times faster
+    const double samples = std::max(*fewest, 1u);
+    for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
+    return result;
+  }
   for (std::size_t i = 0; i < sums.size(); i++) {
     result[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / 3], 1u));
   }

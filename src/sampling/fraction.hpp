@@ -23,12 +23,12 @@ PENUMBRA_INLINE Ints divide(Ints a, Ints b) { return truncate(to_floats(a) / to_
 // A whole number of 0..length-1 from the upper 24 bits of x; length <= 2^24.
 PENUMBRA_INLINE Ints pick(Ints x, Ints length) { return truncate(to_fraction(x) * to_floats(length)); }
 
+// The bits of each word in reverse order: the two halves of every byte are looked up, then the bytes change places.
 PENUMBRA_INLINE Ints reverse_bits(Ints x) {
-  x = ((x >> 1) & Ints(0x55555555u)) | ((x & Ints(0x55555555u)) << 1);
-  x = ((x >> 2) & Ints(0x33333333u)) | ((x & Ints(0x33333333u)) << 2);
-  x = ((x >> 4) & Ints(0x0f0f0f0fu)) | ((x & Ints(0x0f0f0f0fu)) << 4);
-  x = ((x >> 8) & Ints(0x00ff00ffu)) | ((x & Ints(0x00ff00ffu)) << 8);
-  return (x >> 16) | (x << 16);
+  const Ints low = pick_bytes(sixteen_bytes(0xc0408000u, 0xe060a020u, 0xd0509010u, 0xf070b030u), x & Ints(0x0f0f0f0fu));
+  const Ints high =
+      pick_bytes(sixteen_bytes(0x0c040800u, 0x0e060a02u, 0x0d050901u, 0x0f070b03u), (x >> 4) & Ints(0x0f0f0f0fu));
+  return pick_bytes(low | high, sixteen_bytes(0x00010203u, 0x04050607u, 0x08090a0bu, 0x0c0d0e0fu));
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

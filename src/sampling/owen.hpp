@@ -6,11 +6,12 @@
 namespace penumbra::PENUMBRA_KERNEL {
 
 // A permutation of words in which every bit depends on the bits below it only: nested uniform scrambling of the
-// bit-reversed word (Laine and Karras 2011 with the constants of Vegdahl 2021).
-PENUMBRA_INLINE Ints scramble_upward(Ints x, Ints seed) {
+// bit-reversed word (Laine and Karras 2011 with the constants of Vegdahl 2021). The seed may be one word for all lanes.
+template <typename Word>
+PENUMBRA_INLINE Ints scramble_upward(Ints x, Word seed) {
   x ^= x * Ints(0x3d20adeau);
-  x += seed;
-  x *= (seed >> 16) | Ints(1);
+  x += Ints(seed);
+  x *= Ints((seed >> 16) | Word(1));
   x ^= x * Ints(0x05526c56u);
   x ^= x * Ints(0x53a22864u);
   return x;
@@ -19,11 +20,15 @@ PENUMBRA_INLINE Ints scramble_upward(Ints x, Ints seed) {
 // An order of the indices in which every bit depends on the bits above it: aligned blocks of 2^k indices stay together,
 // so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the
 // index.
-PENUMBRA_INLINE Ints shuffle(Ints index, Ints seed) { return reverse_bits(scramble_upward(reverse_bits(index), seed)); }
+template <typename Word>
+PENUMBRA_INLINE Ints shuffle(Ints index, Word seed) {
+  return reverse_bits(scramble_upward(reverse_bits(index), seed));
+}
 
 // Van der Corput's sequence in base 2, scrambled.
-PENUMBRA_INLINE Floats scrambled_van_der_corput(Ints index, Ints seed) {
-  return to_fraction(reverse_bits(scramble_upward(index, seed)) ^ seed);
+template <typename Word>
+PENUMBRA_INLINE Floats scrambled_van_der_corput(Ints index, Word seed) {
+  return to_fraction(reverse_bits(scramble_upward(index, seed)) ^ Ints(seed));
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -17,12 +17,22 @@ namespace penumbra::PENUMBRA_KERNEL {
 // What stays the same for all samples of the pixels of a packet.
 struct PixelSampler {
   Ints column, row;
-  Ints key;  // one hash for each pixel, the seed mixed in
+  Ints key;                // one hash for each pixel, the seed mixed in
+  std::uint32_t word = 0;  // the same, where all lanes belong to one pixel
+  bool is_one = false;     // whether they do
   Ints joint_key[joint_dimension_count];
 
-  PENUMBRA_INLINE PixelSampler(Ints pixel_column, Ints pixel_row, std::uint32_t seed)
-      : column(pixel_column), row(pixel_row), key(hash(hash(pixel_column, pixel_row), Ints(seed))) {
-    for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = hash(key, Ints(d));
+  // `Word` is std::uint32_t where all lanes belong to one pixel, else Ints.
+  template <typename Word>
+  PENUMBRA_INLINE PixelSampler(Word pixel_column, Word pixel_row, std::uint32_t seed)
+      : column(pixel_column), row(pixel_row) {
+    const Word pixel_key = hash(hash(pixel_column, pixel_row), Word(seed));
+    key = Ints(pixel_key);
+    if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
+      word = pixel_key;
+      is_one = true;
+    }
+    for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = Ints(hash(pixel_key, Word(d)));
   }
 };
 
@@ -35,13 +45,19 @@ class Sampler {
       : choice_(&choice),
         pixel_(&pixel),
         key_(pixel.key),
+        word_(pixel.word),
+        is_one_(pixel.is_one),
         sample_((lane_numbers() & Ints(static_cast<std::uint32_t>(samples_per_pixel - 1))) + Ints(first)),
         index_(sample_),
         count_(choice.count),
         first_index_(first),
         consecutive_(samples_per_pixel == lane_count) {
     if (choice.pattern == Pattern::sobol) {
-      if (first >= largest_sobol_table) key_ = hash(key_, Ints(first / largest_sobol_table));
+      const std::uint32_t block = first / largest_sobol_table;
+      if (block > 0) {
+        key_ = hash(key_, Ints(block));
+        word_ = hash(word_, block);
+      }
     } else if (needs_count(choice.pattern)) {
       const Ints pass = divide(index_, Ints(count_));
       index_ = index_ - pass * Ints(count_);
@@ -60,17 +76,19 @@ class Sampler {
 
   // Two later dimensions. `dimension` is a hash that names them.
   PENUMBRA_INLINE Pair pair(std::uint32_t dimension) const {
+    if (choice_->pattern == Pattern::sobol) {
+      return is_one_ ? sobol_pair_at(word_, dimension) : sobol_pair_at(key_, Ints(dimension));
+    }
     const Ints key = hash(key_, Ints(dimension));
-    const Ints other_key = mix_bits(key + Ints(0x68bc21ebu));
-    if (choice_->pattern == Pattern::sobol) return sobol_pair(key, other_key, index_);
-    return other_pair(key, other_key, dimension);
+    return other_pair(key, mix_bits(key + Ints(second_of_pair)), dimension);
   }
 
   // One later dimension.
   PENUMBRA_INLINE Floats single(std::uint32_t dimension) const {
-    const Ints key = hash(key_, Ints(dimension));
-    if (choice_->pattern == Pattern::sobol) return sobol_single(key, index_);
-    return other_single(key, dimension);
+    if (choice_->pattern == Pattern::sobol) {
+      return is_one_ ? sobol_single(hash(word_, dimension), index_) : sobol_single(hash(key_, Ints(dimension)), index_);
+    }
+    return other_single(hash(key_, Ints(dimension)), dimension);
   }
 
   // Two later dimensions of the fixed regular pattern, whatever the pattern of the picture: by the sample of the pixel,
@@ -88,6 +106,7 @@ class Sampler {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
     sampler.key_ = hash(key_, index_ + Ints(0x2545f491u));
+    sampler.is_one_ = false;
     sampler.index_ = Ints(k);
     sampler.count_ = rays;
     return sampler;
@@ -98,11 +117,20 @@ class Sampler {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
     sampler.key_ = hash(key_, Ints(k));
+    sampler.is_one_ = false;
     sampler.branch_ = hash(branch_, k);
     return sampler;
   }
 
  private:
+  static constexpr std::uint32_t second_of_pair = 0x68bc21ebu;
+
+  template <typename Word>
+  PENUMBRA_INLINE Pair sobol_pair_at(Word pixel_key, Word dimension) const {
+    const Word key = hash(pixel_key, dimension);
+    return sobol_pair(key, mix_bits(key + Word(second_of_pair)), index_);
+  }
+
   PENUMBRA_INLINE Floats sobol_joint(JointDimension dimension) const {
     const SobolTable& table = choice_->tables->sobol;
     const std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
@@ -192,7 +220,9 @@ class Sampler {
 
   const PatternChoice* choice_;
   const PixelSampler* pixel_;
-  Ints key_;                   // of the pixel, and of the block of samples
+  Ints key_;            // of the pixel, and of the block of samples
+  std::uint32_t word_;  // the same, where `is_one_`: all lanes belong to one pixel
+  bool is_one_;
   Ints sample_;                // its number in its pixel
   Ints index_;                 // of the point wanted
   std::uint32_t count_;        // of the points

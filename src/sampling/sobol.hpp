@@ -19,18 +19,20 @@ PENUMBRA_INLINE Ints second_sobol_dimension(Ints x) {
   return x;
 }
 
-// Two later dimensions, together a (0,2)-sequence.
-PENUMBRA_INLINE Pair sobol_pair(Ints key, Ints other_key, Ints index) {
+// Two later dimensions, together a (0,2)-sequence. The keys may be one for all lanes.
+template <typename Word>
+PENUMBRA_INLINE Pair sobol_pair(Word key, Word other_key, Ints index) {
   const Ints shuffled = shuffle(index, key);
-  const Ints first = scramble_upward(shuffled, mix_bits(key ^ Ints(0x02e5be93u)));
+  const Ints first = scramble_upward(shuffled, mix_bits(key ^ Word(0x02e5be93u)));
   const Ints second = scramble_upward(second_sobol_dimension(shuffled), other_key);
-  return {to_fraction(reverse_bits(first) ^ mix_bits(other_key ^ Ints(0x02e5be93u))),
-          to_fraction(reverse_bits(second) ^ mix_bits(other_key ^ Ints(0x967a889bu)))};
+  return {to_fraction(reverse_bits(first) ^ Ints(mix_bits(other_key ^ Word(0x02e5be93u)))),
+          to_fraction(reverse_bits(second) ^ Ints(mix_bits(other_key ^ Word(0x967a889bu))))};
 }
 
 // One later dimension.
-PENUMBRA_INLINE Floats sobol_single(Ints key, Ints index) {
-  return scrambled_van_der_corput(shuffle(index, key), mix_bits(key ^ Ints(0x02e5be93u)));
+template <typename Word>
+PENUMBRA_INLINE Floats sobol_single(Word key, Ints index) {
+  return scrambled_van_der_corput(shuffle(index, key), mix_bits(key ^ Word(0x02e5be93u)));
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -68,7 +68,7 @@ std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 
 SobolTable make_sobol_table(std::uint32_t count, std::uint32_t seed) {
   SobolTable table;
-  table.size = std::min((std::max(count, 1u) + 15) / 16 * 16, largest_sobol_table);
+  table.size = std::min((std::max(count, 1u) + 31) / 32 * 32, largest_sobol_table);
   table.values.resize(std::size_t{table.size} * joint_dimension_count);
   for (std::uint32_t dimension = 0; dimension < joint_dimension_count; dimension++) {
     const Directions v = direction_numbers(dimension);

@@ -43,10 +43,58 @@ struct PacketResult {
   }
 };
 
+// The colours of a few packets in whole quanta, which takes a third of the work of doubles.
+struct ColorQuanta {
+  static constexpr float largest = 1 << quantum_bits;  // what a colour may have
+  static constexpr int most_packets = 7;               // their sums still fit 31 bits
+  Ints sums[3]{0u, 0u, 0u};
+  int packets = 0;
+
+  // Adds the colours of one more packet; not if one of them is too large, or no number.
+  PENUMBRA_INLINE bool add(Float3 color, float quanta) {
+    const Float3 scaled = color * Floats(quanta);
+    const Mask fits =
+        (abs(scaled.x) <= Floats(largest)) & (abs(scaled.y) <= Floats(largest)) & (abs(scaled.z) <= Floats(largest));
+    if (any(~fits)) return false;
+    sums[0] += truncate(round(scaled.x));
+    sums[1] += truncate(round(scaled.y));
+    sums[2] += truncate(round(scaled.z));
+    packets++;
+    return true;
+  }
+};
+
 // The sums of one pixel's samples, lane by lane.
 struct PixelSums {
-  alignas(64) double values[PacketResult::most_channels][lane_count] = {};
-  alignas(64) double squares[3][lane_count] = {};
+  ColorQuanta color;
+  alignas(64) double values[PacketResult::most_channels][lane_count];
+  alignas(64) double squares[3][lane_count];
+
+  PENUMBRA_INLINE explicit PixelSums(const FilmView& film) {
+    const int channels = film.depth || film.normal || film.albedo ? PacketResult::most_channels : 3;
+    for (int c = 0; c < channels; c++) clear(values[c]);
+    for (int c = 0; c < (film.squares ? 3 : 0); c++) clear(squares[c]);
+  }
+  static PENUMBRA_INLINE void clear(double (&lanes)[lane_count]) {
+    for (double& lane : lanes) lane = 0;
+  }
+
+  // Adds a packet of which nothing but the colour is wanted.
+  PENUMBRA_INLINE bool add_color(Float3 packet, double quantum) {
+    if (color.packets == ColorQuanta::most_packets) settle(quantum);
+    return color.add(packet, static_cast<float>(1 / quantum));
+  }
+
+  // Brings what was counted in quanta to the sums.
+  PENUMBRA_INLINE void settle(double quantum) {
+    for (int c = 0; c < 3; c++) {
+      alignas(64) std::uint32_t quanta[lane_count];
+      store(quanta, color.sums[c]);
+      for (int lane = 0; lane < lane_count; lane++)
+        values[c][lane] += static_cast<std::int32_t>(quanta[lane]) * quantum;
+    }
+    color = {};
+  }
 
   PENUMBRA_INLINE void add(const PacketResult& packet) {
     for (int c = 0; c < packet.channels; c++) {
@@ -69,15 +117,24 @@ struct PixelSums {
   }
 };
 
-// Adds lanes first..last-1 of the sums to one pixel of the film.
-inline void add_to_film(const FilmView& film, int x, int y, const PixelSums& sums, int first, int last) {
+// The sum of `count` numbers, a power of two. It is exact, so that halves may be added to halves.
+PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
+  double part[lane_count];
+  for (int i = 0; i < count; i++) part[i] = values[i];
+  for (int half = count / 2; half > 0; half /= 2) {
+    for (int i = 0; i < half; i++) part[i] += part[i + half];
+  }
+  return part[0];
+}
+
+// Adds `count` lanes of the sums, from `first` on, to one pixel of the film.
+PENUMBRA_INLINE void add_to_film(const FilmView& film, int x, int y, const PixelSums& sums, int first, int count) {
   const std::size_t pixel = static_cast<std::size_t>(y - film.y0) * static_cast<std::size_t>(film.width) +
                             static_cast<std::size_t>(x - film.x0);
   const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
     for (int c = 0; c < channels; c++) {
-      double sum = 0;
-      for (int lane = first; lane < last; lane++) sum += values[c][lane];
-      plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] += sum;
+      plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] +=
+          sum_of_lanes(values[c] + first, count);
     }
   };
   add_plane(film.color, sums.values, 3);

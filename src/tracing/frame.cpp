@@ -72,12 +72,19 @@ FrameLight make_light(const SpotLight& l) {
   return light;
 }
 
+// Beyond this, squaring again and again would lose more digits than a logarithm does.
+constexpr double largest_whole_power = 4096;
+
 FrameSurface make_surface(const Surface& s) {
   FrameSurface surface{};
   set3(surface.diffuse, s.diffuse);
   set3(surface.ambient, s.ambient);
   set3(surface.specular, s.specular);
   surface.specular_power = static_cast<float>(s.specular_power);
+  if (s.specular_power >= 1 && s.specular_power <= largest_whole_power &&
+      s.specular_power == std::floor(s.specular_power)) {
+    surface.whole_power = static_cast<std::uint32_t>(s.specular_power);
+  }
   surface.reflection = static_cast<float>(s.reflection);
   surface.gloss_radius = static_cast<float>(s.gloss_radius);
   surface.transmission = static_cast<float>(s.transmission);

@@ -55,6 +55,7 @@ struct FrameLight {
 struct FrameSurface {
   float diffuse[3], ambient[3], specular[3];
   float specular_power;
+  std::uint32_t whole_power;  // the same where it is a whole number that is not large, else 0
   float reflection, gloss_radius;
   float transmission, refraction_index, blur_radius;
   Texture texture;

@@ -34,7 +34,7 @@ ProbePacket load_packet(const ProbeRay* rays, std::size_t left) {
   packet.rays.time = load(columns[6]);
   packet.rays.unit = false;
   packet.farthest = load(columns[7]);
-  packet.active = mask_from_bits((1u << size) - 1u);
+  packet.active = mask_from_bits(0xffffffffu >> (32 - size));
   packet.size = size;
   return packet;
 }
@@ -82,6 +82,13 @@ Floats evaluate_one(LaneFunction function, Floats a, Floats b, Floats c) {
       return exp2(a);
     case LaneFunction::power:
       return pow(a, b);
+    case LaneFunction::whole_power:
+      return whole_power(a, truncate(b));
+    case LaneFunction::common_power: {
+      alignas(64) float exponent[lane_count];
+      store(exponent, b);
+      return whole_power(a, static_cast<std::uint32_t>(exponent[0]));
+    }
     case LaneFunction::acos_turns:
       return acos_turns(a);
     case LaneFunction::disk_x:
@@ -164,10 +171,10 @@ void sample_points(const Frame& frame, int x, int y, std::uint32_t dimension, st
   }
 }
 
-constexpr const char* isa_name = lane_count == 16 ? "avx512" : lane_count == 8 ? "avx2" : "sse42";
+constexpr const char* isa_name = vector_lanes == 16 ? "avx512" : vector_lanes == 8 ? "avx2" : "sse42";
 
 }  // namespace
 
-const Kernel kernel = {isa_name, lane_count, render_tile, probe_intersect, probe_occluded, evaluate, sample_points};
+const Kernel kernel = {isa_name, vector_lanes, render_tile, probe_intersect, probe_occluded, evaluate, sample_points};
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -57,6 +57,8 @@ enum class LaneFunction {
   log2,
   exp2,
   power,
+  whole_power,   // a to the whole power b
+  common_power,  // the same with one power for all lanes: that of the first
   acos_turns,
   disk_x,
   disk_y,

@@ -1,6 +1,6 @@
 // The samples of a tile of pixels, cut into packets. A packet is W samples of one pixel; where fewer are left, or fewer
 // were asked for, it is S samples each of W/S neighbouring pixels. With an Embree mesh in view, whose answers can
-// depend on who shares a packet, every packet belongs to one pixel.
+// depend on who shares one of its packets, S is at least what Embree takes at once.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,8 @@ struct TileRenderer {
     FirstHits first_hits;
     const bool wants_first = film.depth || film.normal || film.albedo;
     const Float3 color = trace(context, rays, active, 0, tree_root, wants_first ? &first_hits : nullptr);
+    const bool wants_more = wants_first || film.squares;
+    if (!wants_more && sums.add_color(keep(active, color), frame.color_quantum)) return;
     sums.add(PacketResult(frame, film, active, color, first_hits, rays));
   }
 
@@ -42,11 +44,12 @@ struct TileRenderer {
       for (int x = tile.x0; x < tile.x1; x++) {
         const Ints column(static_cast<std::uint32_t>(x));
         const Ints row(static_cast<std::uint32_t>(y));
-        const PixelSampler pixel(column, row, frame.options.seed);
-        PixelSums sums;
+        const PixelSampler pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame.options.seed);
+        PixelSums sums(film);
         for (std::uint32_t index = first; index < end; index += lane_count) {
           add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
         }
+        sums.settle(frame.color_quantum);
         add_to_film(film, x, y, sums, 0, lane_count);
       }
     }
@@ -71,34 +74,35 @@ struct TileRenderer {
         const Ints column = load(columns);
         const Ints row = load(rows);
         const PixelSampler pixel(column, row, frame.options.seed);
-        PixelSums sums;
+        PixelSums sums(film);
         add_packet(pixel, column, row, first, samples, mask_from_bits(inside) & samples_wanted(first, samples), sums);
+        sums.settle(frame.color_quantum);
         for (int lane = 0; lane < lane_count; lane += samples) {
           if (!(inside >> lane & 1)) continue;
-          add_to_film(film, static_cast<int>(columns[lane]), static_cast<int>(rows[lane]), sums, lane, lane + samples);
+          add_to_film(film, static_cast<int>(columns[lane]), static_cast<int>(rows[lane]), sums, lane, samples);
         }
       }
     }
   }
 
   void render() const {
+    // With a mesh in view, each half of a packet belongs to one pixel.
+    const std::uint32_t fewest = frame.world.meshes.empty() ? 1 : vector_lanes;
     std::uint32_t index = tile.first;
-    const std::uint32_t width = lane_count;
     while (index < tile.end) {
-      const std::uint32_t left = tile.end - index;
-      const std::uint32_t alignment = index % width == 0 ? width : index & -index;
-      std::uint32_t samples = 1;
+      const std::uint32_t first = index - index % fewest;
+      const std::uint32_t left = tile.end - first;
+      const std::uint32_t alignment = first % lane_count == 0 ? lane_count : first & -first;
+      std::uint32_t samples = fewest;
       while (samples < left && samples < alignment) samples *= 2;
-      if (samples == width || !frame.world.meshes.empty()) {
-        const std::uint32_t first = index - index % width;
-        const bool whole = left >= width && first == index;
-        const std::uint32_t end = whole ? index + left / width * width : first + width;
+      std::uint32_t end = first + samples;
+      if (samples == lane_count) {
+        end = first + std::max(left / lane_count, 1u) * lane_count;
         render_wide(first, end);
-        index = std::min(end, tile.end);
       } else {
-        render_narrow(index, static_cast<int>(samples));
-        index = std::min(index + samples, tile.end);
+        render_narrow(first, static_cast<int>(samples));
       }
+      index = std::min(end, tile.end);
     }
   }
 };

@@ -104,8 +104,11 @@ inline Floats highlight(const Material& material, Float3 normal, Float3 toward_l
     const Floats blinn = dot(normal, half) * (Floats(1) / sqrt(max(dot(half, half), Floats(1e-30f))));
     cosine = select(material.blinn, blinn, cosine);
   }
-  cosine = max(cosine, Floats(0));
-  return pow(min(cosine, Floats(1)), material.specular_power);
+  const Floats base = min(max(cosine, Floats(0)), Floats(1));
+  if (material.common_power != 0) return whole_power(base, material.common_power);
+  const Floats power = whole_power(base, material.whole_power);
+  if (!material.any_broken_power) return power;
+  return select(material.whole_power == Ints(0u), pow(base, material.specular_power), power);
 }
 
 // The light that arrives from the lights. `shading` is the normal for N.L, `facing` the one on the viewer's side.

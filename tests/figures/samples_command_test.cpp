@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/pattern_plot.hpp"
+#include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 #include "sampling/figures/cells.hpp"
@@ -17,13 +17,7 @@ namespace penumbra::test {
 namespace {
 
 SamplesOptions parse(const std::vector<std::string>& arguments) {
-  CLI::App app;
-  SamplesOptions options;
-  add_samples(app, options);
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-  reversed.push_back("samples");
-  app.parse(std::move(reversed));
-  return options;
+  return parse_command(add_samples, command_line({"samples"}, arguments));
 }
 
 struct CommandResult {

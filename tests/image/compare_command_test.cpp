@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 #include "image/test_pictures.hpp"
@@ -20,12 +20,7 @@ struct CommandResult {
 
 // Parses and runs as `penumbra compare ARGUMENTS` does.
 CommandResult run(const std::vector<std::string>& arguments) {
-  CLI::App app;
-  CompareOptions options;
-  add_compare(app, options);
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-  reversed.push_back("compare");
-  app.parse(std::move(reversed));
+  const CompareOptions options = test::parse_command(add_compare, test::command_line({"compare"}, arguments));
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = compare_command(options);
@@ -153,20 +148,16 @@ TEST_F(CompareCommand, MissingAndDamagedFiles) {
 }
 
 TEST(CompareOptionsTest, WrongUseIsRefused) {
-  const auto parse = [](std::vector<std::string> reversed) {
-    CLI::App app;
-    CompareOptions options;
-    add_compare(app, options);
-    reversed.push_back("compare");
-    app.parse(std::move(reversed));
+  const auto parse = [](const std::vector<std::string>& arguments) {
+    test::parse_command(add_compare, test::command_line({"compare"}, arguments));
   };
-  EXPECT_NO_THROW(parse({"b", "a"}));
-  EXPECT_NO_THROW(parse({"inf", "--hardfail", "b", "a"}));
+  EXPECT_NO_THROW(parse({"a", "b"}));
+  EXPECT_NO_THROW(parse({"a", "b", "--hardfail", "inf"}));
   EXPECT_THROW(parse({"a"}), CLI::ParseError);
-  EXPECT_THROW(parse({"-1", "--fail", "b", "a"}), CLI::ParseError);
-  EXPECT_THROW(parse({"nan", "--fail", "b", "a"}), CLI::ParseError);
-  EXPECT_THROW(parse({"x", "--fail", "b", "a"}), CLI::ParseError);
-  EXPECT_THROW(parse({"c", "b", "a"}), CLI::ParseError);
+  EXPECT_THROW(parse({"a", "b", "--fail", "-1"}), CLI::ParseError);
+  EXPECT_THROW(parse({"a", "b", "--fail", "nan"}), CLI::ParseError);
+  EXPECT_THROW(parse({"a", "b", "--fail", "x"}), CLI::ParseError);
+  EXPECT_THROW(parse({"a", "b", "c"}), CLI::ParseError);
 }
 
 }  // namespace

@@ -276,6 +276,14 @@ TEST(Ply, saysWhatIsWrongWithText) {
             "s.ply:14:7: error: face 0 names vertex 1.5; there are 3, counted from 0\n  3 0 1 1.5\n        ^~~\n");
   EXPECT_EQ(wrong(vertices + "2 0 1\n"),
             "s.ply:14:1: error: face 0 has 2 corners; it needs at least three\n  2 0 1\n  ^\n");
+  EXPECT_EQ(wrong(vertices + "3.5 0 1 2\n"), "s.ply:14:1: error: a list cannot have length 3.5\n  3.5 0 1 2\n  ^~~\n");
+  EXPECT_EQ(wrong(vertices + "-3 0 1 2\n"), "s.ply:14:1: error: a list cannot have length -3\n  -3 0 1 2\n  ^~\n");
+  EXPECT_EQ(wrong(vertices + "2e30 0 1\n"),
+            "s.ply:14:1: error: a list of 2e+30 numbers cannot be in the 6 bytes that are left\n  2e30 0 1\n  ^~~~\n");
+  EXPECT_EQ(mesh_error("s.ply",
+                       "ply\nformat ascii 1.0\nelement tag 1\nproperty list uchar int ids\n"
+                       "element vertex 0\nelement face 0\nend_header\n2e30 1\n"),
+            "s.ply:8:1: error: a list of 2e+30 numbers cannot be in the 4 bytes that are left\n  2e30 1\n  ^~~~\n");
   EXPECT_EQ(wrong(vertices + "3 0 1\n"),
             "s.ply:14:6: error: the file ends in element 1 of 1 of `face`\n  3 0 1\n       ^\n");
   EXPECT_EQ(mesh_error("s.ply", ply_head("ascii", 3, 0) + vertices), "s.ply: error: this mesh has no faces\n");
@@ -317,7 +325,8 @@ TEST(Ply, doesNotBelieveInHugeNumbers) {
     }
   }
   std::string list = ply_head("binary_little_endian", 1, 1, "float", "uint int") + std::string(12, '\0');
-  EXPECT_NE(mesh_error("s.ply", list + bytes_of(0xFFFFFFFFu, false)).find("the file ends"), std::string::npos);
+  EXPECT_NE(mesh_error("s.ply", list + bytes_of(0xFFFFFFFFu, false)).find("cannot be in the 0 bytes"),
+            std::string::npos);
   EXPECT_NE(mesh_error("s.ply",
                        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                        "property float z\nelement nothing 18446744073709551615\nelement face 1\n"

@@ -1,11 +1,11 @@
 // `penumbra render --isa` as the user has it: what runs, what it refuses, and that the picture does not tell.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/render_command.hpp"
+#include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "rendering/isa.hpp"
 
@@ -21,13 +21,8 @@ class IsaOption : public testing::Test {
 
   // The exit code of a render into `picture_`.
   int render(const std::vector<std::string>& arguments) {
-    CLI::App app;
-    RenderOptions options;
-    add_render(app, options);
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-    reversed.insert(reversed.end(), {"--quiet", stats_, "--stats", picture_, "-o", scene_, "render"});
-    app.parse(std::move(reversed));
-    return render_command(options);
+    const std::vector<std::string> fixed = {"render", scene_, "-o", picture_, "--stats", stats_, "--quiet"};
+    return render_command(test::parse_command(add_render, test::command_line(fixed, arguments)));
   }
 
   // What is said against `--isa name`; empty if nothing is.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/test_scale.hpp"
@@ -32,6 +33,19 @@ TEST(Layers, DepthIsAlongTheViewAndInfiniteOnAMiss) {
       }
     }
   }
+}
+
+// Colours alone are summed another way than colours with layers. More packets than that way takes at once, and mirrors
+// that make more of the light than it can count.
+TEST(Layers, DoNotShowInTheColour) {
+  const std::string mirrors =
+      "image_size 12 8\nrays_per_pixel 300\nmax_depth 12\nbackground 0.5 0.25 0.125\n"
+      "light 0 0 0 1 1 1\nglossy 1 1 1 0 0 0 1 3 0.2\nbox -1 -1 -3 1 1 -2\nbox -1 -1 2 1 1 3\n";
+  const Picture3 alone = render_text(mirrors), with = render_text(mirrors, with_layers());
+  EXPECT_EQ(alone.film.color(), with.film.color());
+  float brightest = 0;
+  for (const float v : alone.film.color()) brightest = std::max(brightest, v);
+  EXPECT_GT(brightest, 100);
 }
 
 TEST(Layers, DepthIsMeasuredFromTheEyeAndByHitsOnly) {

@@ -1,11 +1,11 @@
 // `penumbra render --noise` as the user has it: what it writes, says and refuses.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/render_command.hpp"
+#include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 
@@ -21,12 +21,7 @@ class NoiseOption : public testing::Test {
 
   // The exit code; what was printed is in `printed_`.
   int render(const std::vector<std::string>& arguments) {
-    CLI::App app;
-    RenderOptions options;
-    add_render(app, options);
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
-    reversed.insert(reversed.end(), {scene_, "render"});
-    app.parse(std::move(reversed));
+    const RenderOptions options = test::parse_command(add_render, test::command_line({"render", scene_}, arguments));
     testing::internal::CaptureStderr();
     const int exit_code = render_command(options);
     printed_ = testing::internal::GetCapturedStderr();

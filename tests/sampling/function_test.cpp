@@ -103,6 +103,38 @@ TEST(Functions, Power) {
   EXPECT_LT(worst, 1);
 }
 
+// One exponent for all lanes and one for each give the same bits.
+TEST(Functions, WholePower) {
+  double worst = 0;
+  for (const float exponent : {1.0f, 2.0f, 3.0f, 10.0f, 50.0f, 255.0f, 4096.0f}) {
+    const std::vector<float> a = dense(0, 1, scaled(100001, 5001));
+    const std::vector<float> b(a.size(), exponent);
+    const std::vector<float> results = values(LaneFunction::whole_power, a, b);
+    EXPECT_EQ(results, values(LaneFunction::common_power, a, b)) << exponent;
+    for (std::size_t i = 0; i < a.size(); i++) {
+      const double e = std::pow(double{a[i]}, double{exponent});
+      if (e < 0x1p-120) {
+        EXPECT_LT(results[i], 0x1p-119);
+        continue;
+      }
+      worst = std::max(worst, std::abs(results[i] - e) / e / (exponent * 0x1p-24));
+    }
+  }
+  EXPECT_LT(worst, 1);
+}
+
+TEST(Functions, WholePowersOfEachLaneAreItsOwn) {
+  std::vector<float> a, b;
+  for (int i = 0; i < 1000; i++) {
+    a.push_back(0.9f + 0.0001f * static_cast<float>(i));
+    b.push_back(static_cast<float>(1 + i * 37 % 200));
+  }
+  const std::vector<float> together = values(LaneFunction::whole_power, a, b);
+  for (std::size_t i = 0; i < a.size(); i++) {
+    EXPECT_EQ(values(LaneFunction::common_power, {a[i]}, {b[i]})[0], together[i]) << a[i] << " to the " << b[i];
+  }
+}
+
 TEST(Functions, PowerAtTheEnds) {
   const std::vector<float> a{0, 0, 0, 1, 1, 0.5f, 1e-30f};
   const std::vector<float> b{0, 1, 50, 0, 1e6f, 1e6f, 10};
@@ -148,11 +180,11 @@ TEST(Functions, SameBitsForEveryInstructionSet) {
   std::vector<float> a = dense(-3, 3, 30011), b = dense(0, 60, 30011), c = dense(0, 1, 30011);
   for (const LaneFunction function :
        {LaneFunction::sine, LaneFunction::cosine, LaneFunction::log2, LaneFunction::exp2, LaneFunction::power,
-        LaneFunction::acos_turns, LaneFunction::disk_x, LaneFunction::disk_y, LaneFunction::ball_x,
-        LaneFunction::ball_y, LaneFunction::ball_z, LaneFunction::noise}) {
+        LaneFunction::whole_power, LaneFunction::acos_turns, LaneFunction::disk_x, LaneFunction::disk_y,
+        LaneFunction::ball_x, LaneFunction::ball_y, LaneFunction::ball_z, LaneFunction::noise}) {
     std::vector<float> in = a;
-    const bool positive =
-        function == LaneFunction::log2 || function == LaneFunction::power || function >= LaneFunction::disk_x;
+    const bool positive = function == LaneFunction::log2 || function == LaneFunction::power ||
+                          function == LaneFunction::whole_power || function >= LaneFunction::disk_x;
     if (positive || function == LaneFunction::acos_turns) {
       for (float& x : in) x = std::abs(x) / 3.0f;
     }

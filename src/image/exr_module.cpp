@@ -1,0 +1,260 @@
+// OpenEXR on the library of that name: see exr.hpp. Its exceptions do not leave this file.
+#include "image/exr_module.hpp"
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <stdexcept>
+
+#include "base/atomic_file.hpp"
+#include "image/limits.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view key_prefix = "penumbra:";
+
+// OpenEXR writes its table of offsets last, so the stream must be able to go back.
+class MemoryOutput : public Imf::OStream {
+ public:
+  MemoryOutput() : Imf::OStream("picture") {}
+
+  void write(const char data[], int size) override {
+    const std::size_t end = position_ + static_cast<std::size_t>(size);
+    if (end > bytes.size()) bytes.resize(end);
+    std::memcpy(bytes.data() + position_, data, static_cast<std::size_t>(size));
+    position_ = end;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+
+  std::vector<std::byte> bytes;
+
+ private:
+  std::size_t position_ = 0;
+};
+
+class MemoryInput : public Imf::IStream {
+ public:
+  MemoryInput(std::span<const std::byte> bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+  bool read(char data[], int size) override {
+    const auto wanted = static_cast<std::size_t>(std::max(size, 0));
+    if (position_ > bytes_.size() || wanted > bytes_.size() - position_) {
+      throw std::runtime_error("the file ends too early");
+    }
+    std::memcpy(data, bytes_.data() + position_, wanted);
+    position_ += wanted;
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t position_ = 0;
+};
+
+// The header of a file, with the window as data window of the full picture.
+Imf::Header header_for(const ImageFile& file) {
+  const Imath::Box2i full({0, 0}, {file.full_width - 1, file.full_height - 1});
+  const Imath::Box2i data({file.window.x0, file.window.y0}, {file.window.x1 - 1, file.window.y1 - 1});
+  Imf::Header header(full, data, 1.0f, {0.0f, 0.0f}, 1.0f, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+  header.zipCompressionLevel() = 4;
+  for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  for (const Channel& layer : file.layers) header.channels().insert(layer.name, Imf::Channel(Imf::FLOAT));
+  for (const auto& [key, value] : file.metadata) {
+    header.insert(std::string(key_prefix) + key, Imf::StringAttribute(value));
+  }
+  return header;
+}
+
+// One plane of a window: `step` floats from pixel to pixel.
+Imf::Slice slice(const float* values, const Imath::Box2i& window, int step) {
+  const std::int64_t width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+  const std::size_t stride = static_cast<std::size_t>(step) * sizeof(float);
+  return Imf::Slice::Make(Imf::FLOAT, values, window.min, width, height, stride,
+                          stride * static_cast<std::size_t>(width));
+}
+
+bool covers_pixels(const Imf::Channel* channel) {
+  return channel && channel->xSampling == 1 && channel->ySampling == 1;
+}
+
+// The channels that make the picture: R, G, B, or Y three times; none where neither is there.
+std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
+  const auto has = [&](const char* name) { return covers_pixels(channels.findChannel(name)); };
+  if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
+  if (has("Y") && !channels.findChannel("RY")) return {"Y", "Y", "Y"};
+  return {};
+}
+
+std::uint64_t bytes_per_pixel(const Imf::ChannelList& channels) {
+  std::uint64_t sum = 0;
+  for (auto i = channels.begin(); i != channels.end(); ++i) {
+    if (covers_pixels(&i.channel())) sum += i.channel().type == Imf::HALF ? 2 : 4;
+  }
+  return sum;
+}
+
+// Compressions whose gain is bounded as Deflate's is.
+bool is_bounded(Imf::Compression compression) {
+  return compression == Imf::NO_COMPRESSION || compression == Imf::RLE_COMPRESSION ||
+         compression == Imf::ZIP_COMPRESSION || compression == Imf::ZIPS_COMPRESSION ||
+         compression == Imf::PXR24_COMPRESSION;
+}
+
+// The size of a data window, or an exception that says why it cannot be.
+Imath::V2i checked_size(const Imf::Header& header, std::size_t file_bytes) {
+  const Imath::Box2i& data = header.dataWindow();
+  const std::int64_t width = std::int64_t{data.max.x} - data.min.x + 1;
+  const std::int64_t height = std::int64_t{data.max.y} - data.min.y + 1;
+  const std::uint64_t raw_bytes =
+      !is_bounded(header.compression()) || width <= 0 || height <= 0
+          ? 0
+          : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * bytes_per_pixel(header.channels());
+  if (!is_plausible_size(width, height, raw_bytes, file_bytes)) {
+    throw std::runtime_error(fmt::format("it says it has {} x {} pixels", width, height));
+  }
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+Metadata metadata_of(const Imf::Header& header) {
+  Metadata metadata;
+  for (auto i = header.begin(); i != header.end(); ++i) {
+    const std::string_view key = i.name();
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
+    if (text && key.starts_with(key_prefix)) metadata.emplace_back(key.substr(key_prefix.size()), text->value());
+  }
+  return metadata;
+}
+
+// A grey channel is read once, into r; g and b then get the same.
+void spread_grey(std::vector<float>& rgb) {
+  for (std::size_t i = 0; i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
+}
+
+// Whether all attributes of the (first) header lie within the file: name, 0, type, 0, length in four bytes, value; an
+// empty name ends them. OpenEXR reserves memory for an attribute before it reads it: 2 GB if a damaged length says so.
+bool has_all_attributes(std::span<const std::byte> bytes) {
+  std::size_t at = 8;
+  while (at < bytes.size() && bytes[at] != std::byte{0}) {
+    for (int word = 0; word < 2; word++) {
+      while (at < bytes.size() && bytes[at] != std::byte{0}) at++;
+      at++;
+    }
+    std::uint32_t length = 0;
+    if (bytes.size() < at + sizeof length) return false;
+    for (std::size_t i = sizeof length; i-- > 0;) length = length * 256 + static_cast<std::uint32_t>(bytes[at + i]);
+    at += sizeof length + length;
+  }
+  return at < bytes.size();
+}
+
+// OpenEXR's own limit on sizes, which it checks before it reserves memory for lines.
+void limit_size() {
+  static const bool done = [] {
+    Imf::Header::setMaxImageSize(largest_image_side, largest_image_side);
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
+  Imf::InputFile exr(input, 0);
+  const Imf::Header& header = exr.header();
+  const Imath::Box2i data = header.dataWindow(), full = header.displayWindow();
+  const Imath::V2i size = checked_size(header, file_bytes);
+  const std::vector<std::string> colours = colour_channels(header.channels());
+  if (colours.empty()) throw std::runtime_error("it has no channels R, G, B and no channel Y");
+
+  ImageFile file;
+  file.image = make_image(size.x, size.y);
+  file.window = {data.min.x - full.min.x, data.min.y - full.min.y, 0, 0};
+  file.window.x1 = file.window.x0 + size.x;
+  file.window.y1 = file.window.y0 + size.y;
+  file.full_width = full.max.x - full.min.x + 1;
+  file.full_height = full.max.y - full.min.y + 1;
+  file.metadata = metadata_of(header);
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+    const bool is_colour = std::find(colours.begin(), colours.end(), i.name()) != colours.end();
+    if (is_colour || !covers_pixels(&i.channel())) continue;
+    file.layers.push_back({i.name(), std::vector<float>(file.image.rgb.size() / 3)});
+  }
+
+  const bool grey = colours[0] == colours[1];
+  Imf::FrameBuffer frame;
+  for (int c = 0; c < (grey ? 1 : 3); c++) frame.insert(colours[c], slice(file.image.rgb.data() + c, data, 3));
+  for (const Channel& layer : file.layers) frame.insert(layer.name, slice(layer.values.data(), data, 1));
+  exr.setFrameBuffer(frame);
+  exr.readPixels(data.min.y, data.max.y);
+  if (grey) spread_grey(file.image.rgb);
+  return file;
+}
+
+void require_agreement(const ImageFile& file) {
+  require_image_size(file.image.width, file.image.height, file.image.rgb.size(), 3);
+  for (const Channel& layer : file.layers) {
+    require_image_size(file.image.width, file.image.height, layer.values.size(), 1);
+  }
+  require_metadata_keys(file.metadata);
+  const bool fits = file.window.width() == file.image.width && file.window.height() == file.image.height &&
+                    file.full_width > 0 && file.full_height > 0;
+  if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture is not of the picture's size");
+}
+
+std::vector<std::byte> encode(const ImageFile& file) {
+  require_agreement(file);
+  try {
+    MemoryOutput output;
+    {
+      const Imf::Header header = header_for(file);
+      Imf::OutputFile exr(output, header, 0);
+      Imf::FrameBuffer frame;
+      const float* rgb = file.image.rgb.data();
+      frame.insert("R", slice(rgb, header.dataWindow(), 3));
+      frame.insert("G", slice(rgb + 1, header.dataWindow(), 3));
+      frame.insert("B", slice(rgb + 2, header.dataWindow(), 3));
+      for (const Channel& layer : file.layers) {
+        frame.insert(layer.name, slice(layer.values.data(), header.dataWindow(), 1));
+      }
+      exr.setFrameBuffer(frame);
+      exr.writePixels(file.image.height);
+      // The destructor writes the table of offsets.
+    }
+    return std::move(output.bytes);
+  } catch (const std::exception& error) {
+    throw FileError(EX_SOFTWARE, fmt::format("cannot make an EXR: {}", error.what()));
+  }
+}
+
+ImageFile decode(std::span<const std::byte> bytes, const std::string& name) {
+  try {
+    limit_size();
+    if (!has_all_attributes(bytes)) throw std::runtime_error("the file ends too early");
+    MemoryInput input(bytes, name);
+    return read_picture(input, bytes.size());
+  } catch (const std::exception& error) {
+    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what()));
+  }
+}
+
+}  // namespace
+
+extern "C" const ExrModule* penumbra_exr_module() {
+  static constexpr ExrModule module{encode, decode};
+  return &module;
+}
+
+}  // namespace penumbra

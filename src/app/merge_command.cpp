@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/development.hpp"
 #include "app/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "image/image_file.hpp"
+#include "picture/develop.hpp"
 
 namespace penumbra {
 namespace {

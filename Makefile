@@ -3,8 +3,8 @@
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  what takes longer: all tests, ten minutes of fuzzing, random events for the window, point sets of
-#                   every size, adaptive errors
+#   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
+#                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
@@ -43,6 +43,7 @@ test:
 test-long: test fuzz window-events
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
+	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
 
 # Thousands of random events for the window, under AddressSanitizer and UndefinedBehaviorSanitizer and under
 # ThreadSanitizer.

@@ -8,6 +8,7 @@
 
 #include "app/check_command.hpp"
 #include "app/compare_command.hpp"
+#include "app/merge_command.hpp"
 #include "app/render_command.hpp"
 #include "app/render_options.hpp"
 #include "app/samples_command.hpp"
@@ -44,10 +45,12 @@ int run(int argc, char** argv) {
   penumbra::CheckOptions check_options;
   penumbra::CompareOptions compare_options;
   penumbra::SamplesOptions samples_options;
+  penumbra::MergeOptions merge_options;
   const CLI::App* render = penumbra::add_render(app, render_options);
   const CLI::App* check = add_check(app, check_options);
   const CLI::App* compare = penumbra::add_compare(app, compare_options);
   const CLI::App* samples = penumbra::add_samples(app, samples_options);
+  const CLI::App* merge = penumbra::add_merge(app, merge_options);
   const CLI::App* view = add_view(app);
   try {
     app.parse(argc, argv);
@@ -58,6 +61,7 @@ int run(int argc, char** argv) {
   if (check->parsed()) return penumbra::check_command(check_options);
   if (compare->parsed()) return penumbra::compare_command(compare_options);
   if (samples->parsed()) return penumbra::samples_command(samples_options);
+  if (merge->parsed()) return penumbra::merge_command(merge_options);
   if (view->parsed()) return penumbra::view_command(view->remaining());
   return exit_usage;
 }

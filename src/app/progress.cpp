@@ -63,7 +63,8 @@ void Progress::show(bool last) {
   const std::uint64_t expected = state_.pixel_samples_expected.load();
   const auto total = static_cast<double>(expected > 0 ? expected : total_);
   const double done = total == 0 ? 1 : static_cast<double>(state_.pixel_samples_done.load()) / total;
-  const double remaining = done > 0 ? elapsed / done - elapsed : INFINITY;
+  const double now_done = total == 0 ? 1 : done - static_cast<double>(state_.pixel_samples_before.load()) / total;
+  const double remaining = now_done > 0 ? elapsed * std::max(1 - done, 0.0) / now_done : INFINITY;
   const double rate = static_cast<double>(state_.rays.load()) / std::max(elapsed, 1e-9);
   if (style_ == ProgressStyle::json) {
     fmt::print(stderr, "{{\"done\": {:.4f}, \"elapsed\": {:.3f}, \"remaining\": {}, \"rays_per_second\": {:.0f}}}\n",

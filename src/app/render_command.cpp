@@ -2,22 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <memory>
 
 #include "app/outputs.hpp"
+#include "app/part_file.hpp"
 #include "app/progress.hpp"
+#include "app/sitting.hpp"
 #include "app/stats.hpp"
 #include "base/atomic_file.hpp"
+#include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "language/scene_file.hpp"
 #include "picture/develop.hpp"
 #include "picture/metadata.hpp"
+#include "picture/plan_in_words.hpp"
 #include "picture/ray_tree_text.hpp"
 #include "rendering/adaptive.hpp"
 #include "rendering/isa.hpp"
 #include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace penumbra {
 namespace {
@@ -29,6 +37,7 @@ constexpr int exit_scene = 65;
 constexpr int exit_no_input = 66;
 constexpr int exit_software = 70;
 constexpr int exit_cannot_create = 73;
+constexpr int exit_interrupted = 75;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -41,16 +50,17 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 
 class RenderRun {
  public:
-  explicit RenderRun(const RenderOptions& options) : options_(options) {}
+  explicit RenderRun(const RenderOptions& options)
+      : options_(options), start_(Clock::now()), sitting_(options.sitting, start_, options.quiet) {}
 
   int run() {
     if (usable_kernels().empty()) {
       fmt::print(stderr, "penumbra: this machine has none of the instruction sets that this program was built for\n");
       return exit_software;
     }
-    const Clock::time_point start = Clock::now();
-    const SceneFile file = read_scene(options_.scene, {options_.course, options_.lenient});
-    stats_.parse_seconds = seconds_since(start);
+    const bool wants_hash = !options_.sitting.checkpoint.empty() || options_.sitting.shard;
+    const SceneFile file = read_scene(options_.scene, {options_.course, options_.lenient, wants_hash});
+    stats_.parse_seconds = seconds_since(start_);
     for (const Diagnostic& diagnostic : file.diagnostics) {
       if (!options_.quiet || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
     }
@@ -58,8 +68,10 @@ class RenderRun {
 
     const auto files = output_files(file.actions, options_.scene, options_.outputs);
     if (const int code = check_before_rendering(file.actions, files)) return code;
+    sitting_.require_scene(version, file.hash);
+    int exit_code = 0;
     std::size_t picture_number = 0;
-    Clock::time_point timer = start;
+    Clock::time_point timer = start_;
     for (const Action& action : file.actions) {
       if (std::holds_alternative<ResetTimer>(action)) {
         timer = Clock::now();
@@ -67,14 +79,29 @@ class RenderRun {
         fmt::print("seconds: {:.3f}\n", seconds_since(timer));
         std::fflush(stdout);
       } else {
-        render_picture(std::get<Picture>(action), files[picture_number++]);
+        const auto& names = files[picture_number++];
+        const auto number = static_cast<int>(picture_number);
+        if (sitting_.has_finished(number) && are_there(names)) continue;
+        if (!render_picture(std::get<Picture>(action), file.hash, number, names)) {
+          fmt::print(stderr, "penumbra: {}\n", sitting_.why());
+          exit_code = exit_interrupted;
+          break;
+        }
       }
     }
     if (!options_.stats.empty()) write_file_atomically(options_.stats, bytes_of(to_json(stats_)));
-    return 0;
+    if (exit_code == 0) sitting_.finish();
+    return exit_code;
   }
 
  private:
+  static bool are_there(const std::vector<std::filesystem::path>& files) {
+    return std::all_of(files.begin(), files.end(), [](const auto& file) {
+      std::error_code error;
+      return std::filesystem::exists(file, error);
+    });
+  }
+
   // What would make the work of rendering useless is found before it starts.
   int check_before_rendering(const std::vector<Action>& actions,
                              const std::vector<std::vector<std::filesystem::path>>& files) const {
@@ -124,75 +151,100 @@ class RenderRun {
     return 0;
   }
 
-  void render_picture(const Picture& picture, const std::vector<std::filesystem::path>& files) {
+  std::unique_ptr<ResumableRender> render_for(const Frame& frame, const Kernel& kernel, const Plan& plan) const {
+    const auto rays = static_cast<std::uint32_t>(frame.options.rays_per_pixel);
+    if (!options_.noise) {
+      const bool in_passes = options_.sitting.has_end_in_mind() && !options_.sitting.shard;
+      return std::make_unique<UniformRender>(frame, kernel, plan, rays, in_passes);
+    }
+    return std::make_unique<AdaptiveRender>(frame, kernel, plan, NoiseGoal{static_cast<float>(*options_.noise), rays});
+  }
+
+  // False if it was interrupted: the files then show the picture as it stands.
+  bool render_picture(const Picture& picture, const ContentHash& scene_hash, int number,
+                      const std::vector<std::filesystem::path>& files) {
     const Scene scene = with_options(*picture.scene, options_);
     const TracingOptions tracing = tracing_options(scene, options_);
     Plan plan;
     plan.crop = options_.crop.value_or(Crop{0, 0, scene.width, scene.height});
     plan.layers = options_.layers;
     plan.threads = options_.threads > 0 ? options_.threads : default_thread_count();
+    plan.shard = options_.sitting.shard.value_or(Shard{});
+    const Development development{scene.width,
+                                  scene.height,
+                                  picture.rects,
+                                  metadata_for(options_.scene, scene, options_),
+                                  options_.exposure_halves,
+                                  options_.bits,
+                                  options_.course ? Rounding::course : Rounding::nearest};
+    const PictureKey key{version, scene_hash, number, plan_in_words(development.metadata, plan.layers)};
 
     Clock::time_point start = Clock::now();
     const Frame frame = make_frame(scene, tracing, plan.threads);
     stats_.build_seconds += seconds_since(start);
     const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
-    const auto most_rays = static_cast<std::uint32_t>(scene.rays_per_pixel);
-    if (options_.debug_pixel) return print_rays(frame, kernel, *options_.debug_pixel, most_rays);
+    if (options_.debug_pixel) {
+      print_rays(frame, kernel, *options_.debug_pixel);
+      return true;
+    }
 
-    start = Clock::now();
-    const double cpu_start = cpu_seconds();
-    Film film(plan.crop, plan.layers, options_.noise ? SampleCounts::per_pixel : SampleCounts::uniform);
+    const std::unique_ptr<ResumableRender> render = render_for(frame, kernel, plan);
+    const std::uint64_t pixels = pixel_count(plan.crop, plan.shard);
     RenderState state;
-    AdaptiveResult result;
-    const auto pixels = static_cast<std::uint64_t>(plan.crop.width()) * static_cast<std::uint64_t>(plan.crop.height());
+    bool finished = false;
     {
-      const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, pixels * most_rays);
-      if (options_.noise) {
-        const NoiseGoal goal{static_cast<float>(*options_.noise), most_rays};
-        result = render_adaptive(film, frame, kernel, plan, goal, state);
-      } else {
-        result.rays = render_samples(film, frame, kernel, plan, {0, most_rays}, state);
-      }
+      const std::uint64_t samples = pixels * static_cast<std::uint64_t>(scene.rays_per_pixel);
+      const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, samples);
+      const double cpu_start = cpu_seconds();
+      finished = sitting_.run(*render, key, state);
+      stats_.render_cpu_seconds += cpu_seconds() - cpu_start;
     }
-    const RayCounts& rays = result.rays;
-    stats_.samples += rays.camera;
-    const double render_seconds = seconds_since(start);
-    stats_.render_seconds += render_seconds;
-    stats_.render_cpu_seconds += cpu_seconds() - cpu_start;
-    if (result.unfinished_pixels > 0 && !options_.quiet) {
+    note(frame, kernel, plan);
+    if (render->unfinished_pixels() > 0 && !options_.quiet) {
       fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
-                 result.unfinished_pixels, pixels, most_rays, *options_.noise);
+                 render->unfinished_pixels(), pixels, scene.rays_per_pixel, *options_.noise);
     }
-    const std::string rays_per_pixel =
-        options_.noise ? fmt::format("{:.1f} rays per pixel on average",
-                                     static_cast<double>(film.total_samples()) / static_cast<double>(pixels))
-                       : fmt::format("{} rays per pixel", most_rays);
 
     start = Clock::now();
-    const ImageFile image =
-        develop(film, scene.width, scene.height, picture.rects, exposure_factor(options_.exposure_halves),
-                metadata_for(options_.scene, scene, options_));
-    const Quantization quantization{options_.bits, options_.course ? Rounding::course : Rounding::nearest};
-    for (const std::filesystem::path& path : files) {
-      write_image(path, image, quantization);
-      if (!options_.quiet) {
-        const double rate = static_cast<double>(rays.total()) / std::max(render_seconds, 1e-9);
-        fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
-                   plan.crop.height(), rays_per_pixel, duration_text(render_seconds), rate * 1e-6);
-      }
+    Film film = render->take_film();
+    const double rays_per_pixel = static_cast<double>(film.total_samples()) / static_cast<double>(pixels);
+    const auto write = [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
+      write_file_atomically(path, bytes);
+      if (!options_.quiet) tell(path, plan, rays_per_pixel);
+    };
+    if (!options_.sitting.shard) {
+      const ImageFile image = develop(std::move(film), development);
+      const Quantization quantization{development.bits, development.rounding};
+      for (const auto& path : files) write(path, encode_image(image, format_of(path), quantization));
+    } else if (finished) {  // half a part is of no use to anyone: the checkpoint has what there is
+      const PartHeader header{key, plan.shard, plan.crop, plan.layers, film.counts(), to_bytes(development)};
+      write(files.front(), encode_part_file(header, film));
     }
     stats_.write_seconds += seconds_since(start);
-    note(frame, kernel, plan, rays);
+    return finished;
   }
 
-  static void print_rays(const Frame& frame, const Kernel& kernel, const DebugPixel& pixel, std::uint32_t count) {
+  void tell(const std::filesystem::path& path, const Plan& plan, double rays_per_pixel) const {
+    const Spent& spent = sitting_.spent();
+    const std::string rays = options_.noise ? fmt::format("{:.1f} rays per pixel on average", rays_per_pixel)
+                                            : fmt::format("{} rays per pixel", std::round(10 * rays_per_pixel) / 10);
+    fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
+               plan.crop.height(), rays, duration_text(spent.seconds),
+               static_cast<double>(spent.rays.total()) / std::max(spent.seconds, 1e-9) * 1e-6);
+  }
+
+  static void print_rays(const Frame& frame, const Kernel& kernel, const DebugPixel& pixel) {
     const auto sample = static_cast<std::uint32_t>(pixel.sample);
+    const auto count = static_cast<std::uint32_t>(frame.options.rays_per_pixel);
     const RayTree tree = trace_sample(frame, kernel, pixel.x, pixel.y, sample, count);
     fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
   }
 
-  void note(const Frame& frame, const Kernel& kernel, const Plan& plan, const RayCounts& rays) {
-    stats_.rays += rays;
+  void note(const Frame& frame, const Kernel& kernel, const Plan& plan) {
+    const Spent& spent = sitting_.spent();
+    stats_.rays += spent.rays;
+    stats_.samples += spent.rays.camera;
+    stats_.render_seconds += spent.seconds;
     stats_.threads = plan.threads;
     stats_.lanes = kernel.lanes;
     stats_.isa = kernel.isa;
@@ -208,6 +260,8 @@ class RenderRun {
   }
 
   const RenderOptions& options_;
+  const Clock::time_point start_;
+  Sitting sitting_;
   RenderStats stats_;
 };
 

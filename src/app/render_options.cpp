@@ -50,6 +50,14 @@ void set_layers(RenderOptions& options, const std::vector<std::string>& names) {
   }
 }
 
+void check_debug_pixel(const RenderOptions& options) {
+  const SittingOptions& sitting = options.sitting;
+  if (options.debug_pixel && (sitting.has_end_in_mind() || sitting.shard)) {
+    throw CLI::ValidationError("--debug-pixel",
+                               "nothing is rendered; leave out --checkpoint, --time-limit and --shard");
+  }
+}
+
 void check_outputs(const RenderOptions& options) {
   bool any_exr = false;
   for (const std::string& output : options.outputs) {
@@ -58,6 +66,9 @@ void check_outputs(const RenderOptions& options) {
     if (format == ImageFormat::none) {
       throw CLI::ValidationError("-o", fmt::format("`{}` ends neither in .png nor in .exr", output));
     }
+  }
+  if (options.sitting.shard && (options.outputs.size() != 1 || !any_exr)) {
+    throw CLI::ValidationError("--shard", "a shard is written to one file, which ends in .exr: -o PART.exr");
   }
   if (options.layers.any() && !any_exr) {
     throw CLI::ValidationError("--aov", "layers are written to EXR files only: name one with -o OUT.exr");
@@ -122,9 +133,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
   render->add_option("--progress", options.progress, "How to show progress: auto, bar, plain, json, none [auto]")
       ->transform(CLI::CheckedTransformer(styles).description(""))
       ->type_name("STYLE");
+  add_sitting_options(*render, options.sitting);
   render->add_option("--stats", options.stats, "Write what the render did, as JSON")->type_name("FILE.json");
   render->add_flag("--quiet", options.quiet, "Print nothing but errors [off]");
   render->final_callback([&options] {
+    check_debug_pixel(options);
     check_outputs(options);
     check_noise(options);
   });

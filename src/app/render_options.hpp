@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sitting_options.hpp"
 #include "picture/picture_options.hpp"
 #include "rendering/plan.hpp"
 
@@ -34,6 +35,7 @@ struct RenderOptions : PictureOptions {
   Layers layers;
   ProgressStyle progress = ProgressStyle::automatic;
   std::string stats;
+  SittingOptions sitting;
 };
 
 // Adds the subcommand `render` to `app`; parsing fills `options` and throws CLI::ParseError for what is no good.

@@ -128,6 +128,8 @@ const std::string& host_name() {
   return name;
 }
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
 // What the temporary files of a target begin with. Long names are cut: 255 bytes is all a file name may have.
 std::string temporary_prefix(const fs::path& target) {
   return fmt::format(".{}.", target.filename().string().substr(0, 150));
@@ -165,11 +167,24 @@ void keep_permissions(int fd, const struct stat& old) {
   ::fchmod(fd, old.st_mode & 0777);
 }
 
+// Gives the file `target` a second name, in place of the file that had it. False where the file system knows no second
+// names.
+bool link_as(const fs::path& target, const fs::path& second, const std::string& temporary_link) {
+  if (::link(target.c_str(), temporary_link.c_str()) != 0) return false;
+  Temporary temporary(temporary_link);
+  temporary.renamed = ::rename(temporary_link.c_str(), second.c_str()) == 0;
+  // Two names of one file already: rename() has done nothing and said so by 0.
+  ::unlink(temporary_link.c_str());
+  return temporary.renamed;
+}
+
+enum class OldFile { goes, stays_as_previous };
+
 void replace_file(const fs::path& path, const fs::path& target, const struct stat* old,
-                  std::span<const std::byte> bytes) {
+                  std::span<const std::byte> bytes, OldFile old_file) {
   // A rename would replace a write-protected file without a word.
   if (old && ::access(target.c_str(), W_OK) != 0) fail(EX_CANTCREAT, "replace", path, errno);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(target);
   const std::string prefix = temporary_prefix(target);
   remove_stale_temporaries(folder, prefix);
 
@@ -183,7 +198,17 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
   if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
   if (const int error = sync(file.get())) fail(EX_IOERR, "write", path, error);
   if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
-  if (::rename(name.c_str(), target.c_str()) != 0) fail(EX_CANTCREAT, "replace", path, errno);
+  const bool keeps = old && old_file == OldFile::stays_as_previous;
+  const fs::path previous = previous_of(target);
+  const bool linked = keeps && link_as(target, previous, temporary_name(folder, prefix));
+  if (keeps && !linked && ::rename(target.c_str(), previous.c_str()) != 0) {
+    fail(EX_CANTCREAT, "replace", path, errno);
+  }
+  if (::rename(name.c_str(), target.c_str()) != 0) {
+    const int error = errno;
+    if (keeps && !linked) ::rename(previous.c_str(), target.c_str());
+    fail(EX_CANTCREAT, "replace", path, error);
+  }
   temporary.renamed = true;
 
   // The new file is complete and in its place: that the folder could not be synced as well is not a failed write.
@@ -191,16 +216,37 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
   if (directory.get() >= 0) sync(directory.get());
 }
 
-}  // namespace
-
-void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
   if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   // Of a file that stat() cannot tell about, the creation will say what is wrong.
   if (exists && S_ISDIR(old.st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
   if (descriptor_named(path) || (exists && !S_ISREG(old.st_mode))) return write_directly(path, bytes);
-  replace_file(path, follow_links(path), exists ? &old : nullptr, bytes);
+  replace_file(path, follow_links(path), exists ? &old : nullptr, bytes, old_file);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  write_file(path, bytes, OldFile::goes);
+}
+
+void write_file_keeping_previous(const fs::path& path, std::span<const std::byte> bytes) {
+  write_file(path, bytes, OldFile::stays_as_previous);
+}
+
+fs::path previous_of(const fs::path& path) { return follow_links(path) += ".previous"; }
+
+void remove_file_and_previous(const fs::path& path) {
+  const fs::path target = follow_links(path);
+  for (const fs::path& file : {target, previous_of(target)}) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) continue;
+    fs::remove(file, error);
+    if (error) fail(EX_CANTCREAT, "remove", file, error.value());
+  }
+  remove_stale_temporaries(folder_of(target), temporary_prefix(target));
 }
 
 std::vector<std::byte> read_file(const fs::path& path) {

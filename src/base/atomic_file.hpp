@@ -25,6 +25,16 @@ struct FileError : std::runtime_error {
 // it failed; the old file is then untouched and the temporary one removed.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+// The same, and the file that is replaced stays, under the name of previous_of(path). There is always a whole file
+// under one of the two names, if there was one before.
+void write_file_keeping_previous(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+// `path`, or where that is a link what it leads to, with `.previous` after it.
+std::filesystem::path previous_of(const std::filesystem::path& path);
+
+// Removes such a file, its previous one, and what killed runs left beside them. Throws FileError 73.
+void remove_file_and_previous(const std::filesystem::path& path);
+
 // The content of the file `path`. Throws FileError: 66 when it cannot be opened, 74 when it cannot be read.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "language/reading.hpp"
@@ -136,7 +137,17 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
 }
 
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  return read_scene_with(path, std::nullopt, options, options.edited ? load_copy_from_disk : load_from_disk);
+  const auto load_file = options.edited ? load_copy_from_disk : load_from_disk;
+  if (!options.hash) return read_scene_with(path, std::nullopt, options, load_file);
+  ContentHasher hasher;
+  const auto load = [&hasher, load_file](const std::filesystem::path& file) {
+    LoadedFile loaded = load_file(file);
+    hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
+    return loaded;
+  };
+  SceneFile result = read_scene_with(path, std::nullopt, options, load);
+  result.hash = hasher.value();
+  return result;
 }
 
 SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options) {

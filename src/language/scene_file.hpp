@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/content_hash.hpp"
 #include "base/diagnostics.hpp"
 #include "scene/scene.hpp"
 
@@ -33,14 +34,16 @@ using Action = std::variant<Picture, ResetTimer, PrintTimer>;
 struct SceneFile {
   std::vector<Action> actions;          // empty if there is any error
   std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
+  ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless asked for
   // All files that were opened, or should have been, each once, as the user would find them.
   std::vector<std::string> files;
-  bool found = true;                    // false: the scene file itself could not be opened
+  bool found = true;  // false: the scene file itself could not be opened
 };
 
 struct ReadOptions {
   bool course = false;   // spheres and boxes keep radius and axes: only the centre or the corners are transformed
   bool lenient = false;  // commands that only other programs know are skipped with a warning
+  bool hash = false;     // the hash of the files is wanted
   bool edited = false;   // somebody may rewrite the files meanwhile: large ones are copied, not mapped
 };
 

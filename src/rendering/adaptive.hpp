@@ -1,22 +1,18 @@
 // As many rays as a pixel needs: more where the picture is uncertain, until the standard error of every pixel is small
-// enough. noise_estimate.hpp tells how the error is known, adaptive.cpp where the rays go.
+// enough. noise_estimate.hpp tells how the error is known, adaptive_rules.hpp where the rays go.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
+#include "rendering/adaptive_rules.hpp"
 #include "rendering/film.hpp"
 #include "rendering/plan.hpp"
-#include "rendering/render.hpp"
+#include "rendering/resumable_render.hpp"
+#include "rendering/tile_refinement.hpp"
 
 namespace penumbra {
-
-struct NoiseGoal {
-  // The standard error that no pixel shall exceed: the root of the mean of the squares over r, g, b, each clamped to
-  // 0..1.
-  float error = 0.01f;
-  // The most rays a pixel gets; what is not a power of two is rounded down to one.
-  std::uint32_t most_rays = 1u << 16;
-};
 
 inline constexpr std::uint32_t fewest_adaptive_rays = 4;  // the smallest `most_rays` there is
 
@@ -25,8 +21,68 @@ struct AdaptiveResult {
   std::uint64_t unfinished_pixels = 0;  // those that got the most rays and would have had more
 };
 
-// Fills the film, which must be new and have counts of its own for each pixel. The frame must be made for `most_rays` a
-// pixel. The film comes out the same for all threads, kernels and crops. If it was stopped, it is incomplete.
+// The film comes out the same for all threads, kernels, crops and sittings.
+class AdaptiveRender : public ResumableRender {
+ public:
+  // The frame must be made for `most_rays` a pixel. Frame and kernel must outlive this.
+  AdaptiveRender(const Frame& frame, const Kernel& kernel, const Plan& plan, const NoiseGoal& goal);
+
+  RayCounts run(RenderState& state) override;
+  bool is_finished() const override;
+  std::uint64_t unfinished_pixels() const override;
+  // Where a tile is not finished, it has no variance yet.
+  Film take_film() override;
+
+  // Covers the plan's crop and what its tiles see around it.
+  const TileGrid& grid() const override { return grid_; }
+  bool has_begun(int tile) const override { return stage_of(tile) != Stage::none; }
+  void write(ArchiveWriter& archive, int tile) const override;
+  void read(ArchiveReader& archive, int tile) override;
+
+ private:
+  // `first`: the first round is done; `refining`: the second was stopped midway.
+  enum class Stage : std::uint8_t { none, first, refining, finished };
+  struct Tile {
+    Stage stage = Stage::none;
+    std::uint16_t unfinished = 0;                // of its pixels
+    std::unique_ptr<TileRefinement> refinement;  // while it is refining
+  };
+  // What each thread has to itself.
+  struct Thread;
+
+  template <class Archive, class Self>
+  static void exchange(Archive& archive, Self& self, int index);
+  template <class Work>
+  RayCounts for_tiles(RenderState& state, const Work& work);
+  template <class Visit>
+  void for_needed(int tile, const Visit& visit) const;
+  template <class Property, class Samples>
+  std::uint64_t sum_of(const Property& property, const Samples& samples) const;
+
+  void render_first(int index, Thread& thread, RenderState& state);
+  void render_first(const Crop& pixels, Thread& thread, const RenderState& state);
+  void refine(int index, Thread& thread, RenderState& state);
+
+  Stage stage_of(int tile) const { return tiles_[static_cast<std::size_t>(tile)].stage; }
+  bool is_wanted(int column, int row) const;
+  bool is_wanted(int tile) const;
+  std::size_t pixel_at(int x, int y) const;
+  std::uint64_t samples_of_first_round(int tile) const;
+  std::uint64_t expected_samples(int tile) const;
+
+  Plan plan_;
+  Crop wanted_;    // the whole tiles that cover the plan's crop
+  TileGrid grid_;  // of these tiles and what they see around them
+  Film film_;
+  const Frame& frame_;
+  const Kernel& kernel_;
+  AdaptiveRules rules_;
+  std::vector<PixelNoise> noise_;  // after the first round, for all pixels of the film
+  std::vector<Tile> tiles_;
+};
+
+// The same in one go. Fills the film, which must be new and have counts of its own for each pixel. If it was stopped,
+// it is incomplete.
 AdaptiveResult render_adaptive(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan,
                                const NoiseGoal& goal, RenderState& state);
 

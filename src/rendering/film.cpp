@@ -3,29 +3,38 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace penumbra {
 namespace {
 
-// The window `part` of values that stand row by row over the window `whole`.
-template <class T>
-std::vector<T> cut_plane(const std::vector<T>& values, std::size_t channels, const Crop& whole, const Crop& part) {
-  if (values.empty()) return {};
-  std::vector<T> result;
-  const std::size_t length = channels * static_cast<std::size_t>(part.width());
-  result.reserve(length * static_cast<std::size_t>(part.height()));
+// Calls `visit(values)` for each row of the pixels `part` in a plane that stands row by row over the window `whole`.
+template <class Plane, class Visit>
+void for_rows(Plane& plane, const Crop& whole, const Crop& part, const Visit& visit) {
+  const std::size_t pixels = static_cast<std::size_t>(whole.width()) * static_cast<std::size_t>(whole.height());
+  const std::size_t channels = plane.size() / pixels;
   for (int y = part.y0; y < part.y1; y++) {
     const std::size_t pixel = static_cast<std::size_t>(y - whole.y0) * static_cast<std::size_t>(whole.width()) +
                               static_cast<std::size_t>(part.x0 - whole.x0);
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(channels * pixel);
-    result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(length));
+    visit(std::span(plane).subspan(channels * pixel, channels * static_cast<std::size_t>(part.width())));
   }
-  return result;
 }
 
 }  // namespace
 
-Film::Film(const Crop& crop, const Layers& layers, SampleCounts counts) : crop_(crop), layers_(layers) {
+template <class Self, class Visit>
+void Film::for_planes(Self& self, const Visit& visit) {
+  visit(self.color_);
+  visit(self.squares_);
+  visit(self.depth_);
+  visit(self.normal_);
+  visit(self.albedo_);
+  visit(self.pixel_samples_);
+  visit(self.variance_);
+}
+
+Film::Film(const Crop& crop, const Layers& layers, SampleCounts counts)
+    : crop_(crop), layers_(layers), counts_(counts) {
   const std::size_t pixels = pixel_count();
   const bool own_counts = counts == SampleCounts::per_pixel;
   color_.resize(3 * pixels);
@@ -34,7 +43,7 @@ Film::Film(const Crop& crop, const Layers& layers, SampleCounts counts) : crop_(
   if (layers.depth) depth_.resize(2 * pixels);
   if (layers.normal) normal_.resize(3 * pixels);
   if (layers.albedo) albedo_.resize(3 * pixels);
-  if (own_counts) pixel_samples_.resize(pixels);
+  pixel_samples_.resize(pixels);
 }
 
 std::size_t Film::pixel_count() const {
@@ -46,12 +55,15 @@ std::size_t Film::pixel_at(int x, int y) const {
          static_cast<std::size_t>(x - crop_.x0);
 }
 
+std::uint32_t Film::samples() const { return *std::min_element(pixel_samples_.begin(), pixel_samples_.end()); }
+
 std::uint64_t Film::total_samples() const {
-  if (!has_pixel_counts()) return samples_ * std::uint64_t{pixel_count()};
   return std::accumulate(pixel_samples_.begin(), pixel_samples_.end(), std::uint64_t{0});
 }
 
-void Film::set_samples(int x, int y, std::uint32_t count) { pixel_samples_[pixel_at(x, y)] = count; }
+void Film::set_samples(const Crop& pixels, std::uint32_t count) {
+  for_rows(pixel_samples_, crop_, pixels, [count](auto row) { std::fill(row.begin(), row.end(), count); });
+}
 
 void Film::set_variance(int x, int y, const std::array<float, 3>& rgb) {
   if (!variance_.empty()) std::copy_n(rgb.data(), 3, &variance_[3 * pixel_at(x, y)]);
@@ -64,28 +76,48 @@ FilmView Film::view() {
 }
 
 Film Film::cut(const Crop& crop) const {
-  Film part(crop, layers_, has_pixel_counts() ? SampleCounts::per_pixel : SampleCounts::uniform);
-  part.samples_ = samples_;
-  part.color_ = cut_plane(color_, 3, crop_, crop);
-  part.squares_ = cut_plane(squares_, 3, crop_, crop);
-  part.depth_ = cut_plane(depth_, 2, crop_, crop);
-  part.normal_ = cut_plane(normal_, 3, crop_, crop);
-  part.albedo_ = cut_plane(albedo_, 3, crop_, crop);
-  part.pixel_samples_ = cut_plane(pixel_samples_, 1, crop_, crop);
-  part.variance_ = cut_plane(variance_, 3, crop_, crop);
+  Film part(crop, layers_, counts_);
+  ArchiveWriter writer;
+  write(writer, crop);
+  ArchiveReader reader(writer.bytes());
+  part.read(reader, crop);
   return part;
+}
+
+void Film::write(ArchiveWriter& archive, const Crop& part) const {
+  for_planes(*this,
+             [&](const auto& plane) { for_rows(plane, crop_, part, [&archive](auto row) { archive.numbers(row); }); });
+}
+
+void Film::read(ArchiveReader& archive, const Crop& part) {
+  for_planes(*this, [&](auto& plane) { for_rows(plane, crop_, part, [&archive](auto row) { archive.numbers(row); }); });
+}
+
+void Film::clear(const Crop& part) {
+  for_planes(*this, [&](auto& plane) {
+    for_rows(plane, crop_, part, [](auto row) { std::fill(row.begin(), row.end(), 0); });
+  });
+}
+
+std::size_t Film::bytes_per_pixel(const Layers& layers, SampleCounts counts) {
+  const bool own_counts = counts == SampleCounts::per_pixel;
+  const int sums = 3 + (layers.variance && !own_counts ? 3 : 0) + (layers.depth ? 2 : 0) + (layers.normal ? 3 : 0) +
+                   (layers.albedo ? 3 : 0);
+  return static_cast<std::size_t>(sums) * sizeof(double) + sizeof(std::uint32_t) +
+         (layers.variance && own_counts ? 3 * sizeof(float) : 0);
 }
 
 std::vector<float> Film::means(const std::vector<double>& sums) const {
   std::vector<float> result(sums.size());
-  if (has_pixel_counts()) {
-    for (std::size_t i = 0; i < sums.size(); i++) {
-      result[i] = static_cast<float>(sums[i] / std::max(samples_of(i / 3), 1u));
-    }
+  const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
+  if (*fewest == *most) {  // which is several times faster
+    const double samples = std::max(*fewest, 1u);
+    for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
     return result;
   }
-  const double samples = std::max(samples_, 1u);
-  for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
+  for (std::size_t i = 0; i < sums.size(); i++) {
+    result[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / 3], 1u));
+  }
   return result;
 }
 
@@ -103,21 +135,17 @@ std::vector<float> Film::depth() const {
 }
 
 std::vector<float> Film::variance() const {
-  if (has_pixel_counts()) return variance_;
+  if (counts_ == SampleCounts::per_pixel) return variance_;
   std::vector<float> result(squares_.size());
-  if (samples_ < 2) return result;
-  const double n = samples_;
   for (std::size_t i = 0; i < result.size(); i++) {
+    const double n = pixel_samples_[i / 3];
+    if (n < 2) continue;
     const double of_samples = std::max(squares_[i] - color_[i] * color_[i] / n, 0.0) / (n - 1);
     result[i] = static_cast<float>(of_samples / n);
   }
   return result;
 }
 
-std::vector<float> Film::pixel_samples() const {
-  std::vector<float> result(pixel_count());
-  for (std::size_t i = 0; i < result.size(); i++) result[i] = static_cast<float>(samples_of(i));
-  return result;
-}
+std::vector<float> Film::pixel_samples() const { return {pixel_samples_.begin(), pixel_samples_.end()}; }
 
 }  // namespace penumbra

@@ -1,5 +1,6 @@
-// The sums of all samples so far, for every pixel of a crop. Sums are exact (tracing/kernel.hpp), so that a film does
-// not tell in which order, by how many threads or in how many sittings its samples came.
+// The sums of all samples so far, for every pixel of a crop, and how many these are. Sums are exact
+// (tracing/kernel.hpp), so that a film does not tell in which order, by how many threads or in how many sittings its
+// samples came.
 #pragma once
 
 #include <array>
@@ -7,12 +8,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "rendering/plan.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra {
 
-// Whether all pixels have the same number of samples, or each has its own.
+// Whether all pixels are to have the same number of samples, or each its own. Where each has its own, whoever renders
+// also says the variance of a pixel's mean, if there is such a layer: the squares of the samples do not tell it.
 enum class SampleCounts { uniform, per_pixel };
 
 class Film {
@@ -22,16 +25,15 @@ class Film {
   const Crop& crop() const { return crop_; }
   const Layers& layers() const { return layers_; }
 
-  // Samples of every pixel, where all have the same number.
-  std::uint32_t samples() const { return samples_; }
-  void add_samples(std::uint32_t count) { samples_ += count; }
-  std::uint64_t total_samples() const;  // of all pixels together
+  SampleCounts counts() const { return counts_; }
 
-  // Where pixels have counts of their own, whoever renders also says the variance of a pixel's mean, if there is such a
-  // layer: the squares of the samples do not tell it.
-  bool has_pixel_counts() const { return !pixel_samples_.empty(); }
-  void set_samples(int x, int y, std::uint32_t count);
+  // Whoever adds samples says so, pixel by pixel.
+  std::uint32_t samples_at(int x, int y) const { return pixel_samples_[pixel_at(x, y)]; }
+  void set_samples(const Crop& pixels, std::uint32_t count);
   void set_variance(int x, int y, const std::array<float, 3>& rgb);
+
+  std::uint32_t samples() const;        // of the pixel that has the fewest
+  std::uint64_t total_samples() const;  // of all pixels together
 
   // Where a kernel adds.
   FilmView view();
@@ -39,7 +41,15 @@ class Film {
   // The pixels of `crop`, which lies inside this film's.
   Film cut(const Crop& crop) const;
 
-  // Means over the samples so far, row by row from the top left of the crop; 0 where there are none.
+  // All that there is of the pixels of `part`, which lies inside the film's crop.
+  void write(ArchiveWriter& archive, const Crop& part) const;
+  void read(ArchiveReader& archive, const Crop& part);
+  static std::size_t bytes_per_pixel(const Layers& layers, SampleCounts counts);  // of that
+
+  // Takes the samples of these pixels out again.
+  void clear(const Crop& part);
+
+  // Means over each pixel's samples so far, row by row from the top left of the crop; 0 where there are none.
   std::vector<float> color() const;          // r, g, b
   std::vector<float> depth() const;          // along the view; infinity where nothing was hit
   std::vector<float> normal() const;         // x, y, z
@@ -47,15 +57,27 @@ class Film {
   std::vector<float> variance() const;       // estimated variance of the pixel's mean: r, g, b; 0 below two samples
   std::vector<float> pixel_samples() const;  // how many each pixel has
 
+  // Frees the sums of a layer, which cannot be asked for after that. Colours go last: the variance needs them too.
+  void forget_depth() { free_plane(depth_); }
+  void forget_normal() { free_plane(normal_); }
+  void forget_albedo() { free_plane(albedo_); }
+  void forget_variance() { free_plane(squares_), free_plane(variance_); }
+
  private:
   std::size_t pixel_count() const;
   std::size_t pixel_at(int x, int y) const;
-  std::uint32_t samples_of(std::size_t pixel) const { return has_pixel_counts() ? pixel_samples_[pixel] : samples_; }
   std::vector<float> means(const std::vector<double>& sums) const;
+  template <class Plane>
+  static void free_plane(Plane& plane) {
+    Plane().swap(plane);  // the assignment of an empty list would keep the memory
+  }
+  // Calls `visit(plane)` for each plane of numbers that there is.
+  template <class Self, class Visit>
+  static void for_planes(Self& self, const Visit& visit);
 
   Crop crop_;
   Layers layers_;
-  std::uint32_t samples_ = 0;
+  SampleCounts counts_;
   std::vector<double> color_, squares_, depth_, normal_, albedo_;
   std::vector<std::uint32_t> pixel_samples_;
   std::vector<float> variance_;

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/archive.hpp"
+
 namespace penumbra {
 
 // Sums of r, g, b over a block of samples.
@@ -41,6 +43,20 @@ struct PixelNoise {
 
   std::uint32_t samples() const { return 1u << level; }
 };
+
+// Writes or reads it.
+template <class Archive, class Noise>
+void exchange_noise(Archive& archive, Noise& noise) {
+  for (auto* difference : {&noise.halves, &noise.quarters}) {
+    archive(difference->clamped);
+    for (auto& channel : difference->rgb) archive(channel);
+  }
+  archive(noise.halves_known);
+  archive(noise.level);
+  if constexpr (Archive::reads) {
+    if (noise.level > 24 || noise.halves_known > 2) throw ArchiveError("a pixel has noise that there is not");
+  }
+}
 
 // From four blocks of 2^level / 4 samples each.
 PixelNoise first_noise(const std::array<ColorSum, 4>& blocks, int level);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "rendering/shard.hpp"
+
 namespace penumbra {
 
 // Pixels x0 <= x < x1, y0 <= y < y1, counted from the top left of the full picture.
@@ -19,12 +21,14 @@ struct Layers {
   bool depth = false, normal = false, albedo = false, variance = false, samples = false;
 
   bool any() const { return depth || normal || albedo || variance || samples; }
+  bool operator==(const Layers&) const = default;
 };
 
 struct Plan {
   Crop crop;
   Layers layers;
   int threads = 1;
+  Shard shard = {};  // only its tiles are rendered
 };
 
 // Samples first <= index < end of every pixel.

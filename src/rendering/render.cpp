@@ -6,24 +6,41 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "rendering/portion.hpp"
+#include "rendering/tile_grid.hpp"
+
 namespace penumbra {
 namespace {
 
-constexpr int tile_size = 16;
+struct FreeCpuSet {
+  void operator()(cpu_set_t* set) const { CPU_FREE(set); }
+};
 
-TileSamples tile_at(const Crop& crop, int index, SampleRange range) {
-  const int columns = (crop.width() + tile_size - 1) / tile_size;
-  const int x0 = crop.x0 + index % columns * tile_size;
-  const int y0 = crop.y0 + index / columns * tile_size;
-  return {x0, y0, std::min(x0 + tile_size, crop.x1), std::min(y0 + tile_size, crop.y1), range.first, range.end};
-}
-
-int tile_count(const Crop& crop) {
-  return ((crop.width() + tile_size - 1) / tile_size) * ((crop.height() + tile_size - 1) / tile_size);
+// Adds the samples to one tile, portion by portion, until it is done or told to stop.
+void render_tile(Film& film, const FilmView& view, const Frame& frame, const Kernel& kernel, const Crop& tile,
+                 SampleRange range, RayCounts& counts, RenderState& state) {
+  const Portion portion = portion_for(frame, tile_size, tile_size);
+  for (int y = tile.y0; y < tile.y1; y += portion.height) {
+    for (int x = tile.x0; x < tile.x1; x += portion.width) {
+      const Crop pixels{x, y, std::min(x + portion.width, tile.x1), std::min(y + portion.height, tile.y1)};
+      const auto pixel_count = static_cast<std::uint64_t>(pixels.width()) * static_cast<std::uint64_t>(pixels.height());
+      for (std::uint32_t first = std::max(range.first, film.samples_at(x, y)); first < range.end;) {
+        if (state.stop.load(std::memory_order_relaxed)) return;
+        const std::uint32_t end = portion.end_after(first, range.end);
+        const std::uint64_t rays_before = counts.total();
+        kernel.render_tile(frame, view, {pixels.x0, pixels.y0, pixels.x1, pixels.y1, first, end}, counts);
+        film.set_samples(pixels, end);
+        state.pixel_samples_done.fetch_add(pixel_count * (end - first), std::memory_order_relaxed);
+        state.rays.fetch_add(counts.total() - rays_before, std::memory_order_relaxed);
+        first = end;
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -31,7 +48,8 @@ int tile_count(const Crop& crop) {
 RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan, SampleRange range,
                          RenderState& state) {
   const FilmView view = film.view();
-  const int tiles = tile_count(film.crop());
+  const TileGrid grid(film.crop());
+  const int tiles = grid.count();
   std::atomic<int> next_tile{0};
   std::mutex counts_mutex;
   RayCounts total;
@@ -40,12 +58,8 @@ RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, c
     while (!state.stop.load(std::memory_order_relaxed)) {
       const int index = next_tile.fetch_add(1, std::memory_order_relaxed);
       if (index >= tiles) break;
-      const TileSamples tile = tile_at(film.crop(), index, range);
-      const std::uint64_t rays_before = counts.total();
-      kernel.render_tile(frame, view, tile, counts);
-      const auto pixels = std::uint64_t(tile.x1 - tile.x0) * std::uint64_t(tile.y1 - tile.y0);
-      state.pixel_samples_done.fetch_add(pixels * (range.end - range.first), std::memory_order_relaxed);
-      state.rays.fetch_add(counts.total() - rays_before, std::memory_order_relaxed);
+      if (!grid.has(plan.shard, index)) continue;
+      render_tile(film, view, frame, kernel, grid.tile(index), range, counts, state);
     }
     const std::lock_guard lock(counts_mutex);
     total += counts;
@@ -57,7 +71,6 @@ RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, c
     for (int i = 0; i < helper_count; i++) helpers.emplace_back(work);
     work();
   }
-  if (!state.stop.load()) film.add_samples(range.end - range.first);
   return total;
 }
 
@@ -67,9 +80,13 @@ int default_thread_count() {
     const char* end = slurm + std::strlen(slurm);
     if (std::from_chars(slurm, end, count).ptr == end && count > 0) return count;
   }
-  cpu_set_t allowed;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(CPU_COUNT(&allowed), 1);
-  return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+  // A mask may have more places than cpu_set_t, on machines that have.
+  for (int places = CPU_SETSIZE; places <= 1 << 20; places *= 2) {
+    const std::unique_ptr<cpu_set_t, FreeCpuSet> allowed(CPU_ALLOC(places));
+    const std::size_t size = CPU_ALLOC_SIZE(places);
+    if (allowed && sched_getaffinity(0, size, allowed.get()) == 0) return std::max(CPU_COUNT_S(size, allowed.get()), 1);
+  }
+  return 1;
 }
 
 }  // namespace penumbra

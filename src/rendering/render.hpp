@@ -13,13 +13,15 @@ namespace penumbra {
 // Shared with whoever watches or stops a render.
 struct RenderState {
   std::atomic<std::uint64_t> pixel_samples_done{0};      // pixels times samples
+  std::atomic<std::uint64_t> pixel_samples_before{0};    // of these, in earlier sittings
   std::atomic<std::uint64_t> pixel_samples_expected{0};  // in all; 0: whoever renders does not know better
   std::atomic<std::uint64_t> rays{0};
-  std::atomic<bool> stop{false};  // ends the render after the tiles under way
+  std::atomic<bool> stop{false};  // ends the render in some hundredths of a second; calling it again goes on
 };
 
-// Adds the samples of the range to every pixel of the film, by `plan.threads` threads. Returns the rays sent. If it was
-// stopped, the film is incomplete and its sample count unchanged.
+// Adds the samples of the range to every pixel of the film that the plan's shard has, by `plan.threads` threads; pixels
+// that have some of them already get the rest. Returns the rays sent. If it was stopped, some pixels have fewer
+// samples, and the film says how many.
 RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan, SampleRange range,
                          RenderState& state);
 

@@ -1,0 +1,32 @@
+// Files with parts of a picture from arbitrary bytes: refused, or put together to a picture.
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "app/part_file.hpp"
+#include "base/atomic_file.hpp"
+#include "invariants.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace penumbra;
+  std::vector<Part> parts;
+  try {
+    parts.emplace_back(part_in_file(std::as_bytes(std::span(data, size)), "p"), "p");
+  } catch (const FileError& error) {
+    require(error.exit_code == 65 && std::string_view(error.what()).starts_with("`p` is "));
+    return 0;
+  }
+  const std::vector<std::string> complaints = complaints_about(parts);
+  require(complaints.empty() == (parts[0].header().shard.count == 1));
+  parts.push_back(parts[0]);
+  require(!complaints_about(parts).empty());
+  parts.pop_back();
+  if (!complaints.empty()) return 0;
+  Film film = merge(parts);
+  try {
+    const ImageFile image = develop(film, development_from(parts[0].header().development));
+    require(image.image.rgb.size() == 3 * static_cast<std::size_t>(film.crop().width()) * film.crop().height());
+  } catch (const ArchiveError&) {
+  }
+  return 0;
+}

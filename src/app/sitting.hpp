@@ -1,0 +1,55 @@
+// One sitting of a render: it begins where the last one ended, saves what there is now and then, and ends when the
+// picture is finished, the time is up, or someone asks it to.
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <optional>
+#include <string>
+
+#include "app/interruption.hpp"
+#include "app/sitting_options.hpp"
+#include "rendering/checkpoint.hpp"
+
+namespace penumbra {
+
+class Sitting {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Reads the checkpoint that is to be gone on from. Throws FileError: 65 where it is damaged, 73 where no checkpoint
+  // can be written. `start` is when the time limit begins to count.
+  Sitting(const SittingOptions& options, Clock::time_point start, bool quiet);
+
+  // Throws FileError 65 unless the checkpoint, if there is one, is of this scene.
+  void require_scene(const std::string& version, const ContentHash& scene) const;
+  // Whether earlier sittings have finished this picture of the scene.
+  bool has_finished(int picture) const { return checkpoint_ && picture < checkpoint_->key().picture; }
+
+  // Renders until the picture is finished or the sitting has to end; then the checkpoint is written and the answer
+  // false.
+  bool run(ResumableRender& render, PictureKey key, RenderState& state);
+  // What this picture has taken, earlier sittings included.
+  const Spent& spent() const { return spent_; }
+  // Why the sitting ended before the picture was finished, and how to go on, for the user.
+  std::string why() const;
+
+  // All pictures are finished and written: no checkpoint is needed any more.
+  void finish();
+
+ private:
+  void open_checkpoint();
+  std::future<void> begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop);
+  void save(std::span<const std::byte> bytes);
+  bool is_to_end() const;
+
+  const SittingOptions& options_;
+  bool quiet_;
+  std::optional<Clock::time_point> end_;
+  std::optional<Interruption> interruption_;
+  std::optional<Checkpoint> checkpoint_;  // which the last sitting left
+  bool keeps_previous_ = true;
+  Spent spent_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,115 @@
+// Plain values to bytes and back: numbers as they are in memory (x86: little endian), texts and lists with their length
+// in front. Both archives are called alike, so that one function can describe a structure for writing and for reading.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace penumbra {
+
+// The bytes cannot be what was written.
+struct ArchiveError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class T>
+concept ArchivedNumber = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
+
+class ArchiveWriter {
+ public:
+  static constexpr bool reads = false;
+
+  template <ArchivedNumber T>
+  void operator()(T value) {
+    numbers(std::span<const T>(&value, 1));
+  }
+  void operator()(bool value) { (*this)(std::uint8_t{value}); }
+  void operator()(const std::string& text) {
+    (*this)(std::uint64_t{text.size()});
+    numbers(std::span<const char>(text));
+  }
+
+  // Without their count.
+  template <ArchivedNumber T>
+  void numbers(std::span<const T> values) {
+    if (values.empty()) return;
+    const std::size_t old_size = bytes_.size();
+    bytes_.resize(old_size + values.size_bytes());
+    std::memcpy(bytes_.data() + old_size, values.data(), values.size_bytes());
+  }
+
+  // Calls `element(*this, value)` for each.
+  template <class T, class Element>
+  void list(const std::vector<T>& values, const Element& element) {
+    (*this)(std::uint64_t{values.size()});
+    for (const T& value : values) element(*this, value);
+  }
+
+  std::span<const std::byte> bytes() const { return bytes_; }
+  void clear() { bytes_.clear(); }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+// Throws ArchiveError where the bytes end too early or a value is impossible, before it takes any memory for it.
+class ArchiveReader {
+ public:
+  static constexpr bool reads = true;
+
+  explicit ArchiveReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  template <ArchivedNumber T>
+  void operator()(T& value) {
+    numbers(std::span<T>(&value, 1));
+  }
+  void operator()(bool& value) {
+    std::uint8_t number = 0;
+    (*this)(number);
+    if (number > 1) throw ArchiveError("a switch is neither on nor off");
+    value = number == 1;
+  }
+  void operator()(std::string& text) {
+    text.resize(count(1));
+    numbers(std::span<char>(text));
+  }
+
+  template <ArchivedNumber T>
+  void numbers(std::span<T> values) {
+    const std::span<std::byte> wanted = std::as_writable_bytes(values);
+    if (wanted.size() > bytes_.size()) throw ArchiveError("the data end too early");
+    if (!wanted.empty()) std::memcpy(wanted.data(), bytes_.data(), wanted.size());
+    bytes_ = bytes_.subspan(wanted.size());
+  }
+
+  template <class T, class Element>
+  void list(std::vector<T>& values, const Element& element) {
+    values.resize(count(1));
+    for (T& value : values) element(*this, value);
+  }
+
+  bool at_end() const { return bytes_.empty(); }
+
+ private:
+  // A number of things that take so many bytes each, or more.
+  std::size_t count(std::size_t bytes_each) {
+    std::uint64_t number = 0;
+    (*this)(number);
+    if (number > bytes_.size() / bytes_each) throw ArchiveError("a length goes beyond the end of the data");
+    return static_cast<std::size_t>(number);
+  }
+
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,39 @@
+// Tells contents apart: which scene a checkpoint belongs to, and whether a block of a file is what was written. Against
+// accidents, not against forgers. The numbers are XXH3's (xxhash.com), the same on every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace penumbra {
+
+// 128 bits: no two contents that anyone has will ever agree by chance.
+struct ContentHash {
+  std::uint64_t low = 0, high = 0;
+
+  bool operator==(const ContentHash&) const = default;
+};
+
+// The hash of a sequence of contents, given one after the other.
+class ContentHasher {
+ public:
+  ContentHasher();
+  ~ContentHasher();
+  ContentHasher(const ContentHasher&) = delete;
+  ContentHasher& operator=(const ContentHasher&) = delete;
+
+  // Where one content ends and the next begins counts.
+  void add(std::span<const std::byte> content);
+  ContentHash value() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// The checksum of one block of bytes: another for every seed.
+std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t seed);
+
+}  // namespace penumbra

@@ -1,0 +1,64 @@
+#include "picture/development.hpp"
+
+#include <cstdlib>
+
+#include "base/archive.hpp"
+#include "image/limits.hpp"
+#include "picture/picture_options.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::int64_t farthest_pixel = 1 << 30;
+
+template <class Archive, class Self>
+void exchange(Archive& archive, Self& development) {
+  archive(development.full_width);
+  archive(development.full_height);
+  archive.list(development.rects, [](auto& out, auto& rect) {
+    for (auto* number : {&rect.x0, &rect.y0, &rect.x1, &rect.y1}) out(*number);
+    for (auto* channel : {&rect.color.x, &rect.color.y, &rect.color.z}) out(*channel);
+  });
+  archive.list(development.metadata, [](auto& out, auto& entry) {
+    out(entry.first);
+    out(entry.second);
+  });
+  archive(development.exposure_halves);
+  archive(development.bits);
+  bool as_course = development.rounding == Rounding::course;
+  archive(as_course);
+  if constexpr (Archive::reads) {
+    development.rounding = as_course ? Rounding::course : Rounding::nearest;
+    const auto is_size = [](int side) { return side >= 1 && side <= largest_image_side; };
+    if (!is_size(development.full_width) || !is_size(development.full_height)) {
+      throw ArchiveError("there is no such size");
+    }
+    for (const PaintedRect& rect : development.rects) {
+      for (const int number : {rect.x0, rect.y0, rect.x1, rect.y1}) {
+        if (std::abs(std::int64_t{number}) > farthest_pixel) throw ArchiveError("there is no such rectangle");
+      }
+    }
+    if (std::abs(std::int64_t{development.exposure_halves}) > most_exposure_halves) {
+      throw ArchiveError("there is no such exposure");
+    }
+    if (development.bits != 8 && development.bits != 16) throw ArchiveError("there is no such number of bits");
+  }
+}
+
+}  // namespace
+
+std::string to_bytes(const Development& development) {
+  ArchiveWriter archive;
+  exchange(archive, development);
+  return {reinterpret_cast<const char*>(archive.bytes().data()), archive.bytes().size()};
+}
+
+Development development_from(const std::string& bytes) {
+  Development development;
+  ArchiveReader archive(std::as_bytes(std::span(bytes)));
+  exchange(archive, development);
+  if (!archive.at_end()) throw ArchiveError("there is more in it than there should be");
+  return development;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,42 @@
+// Which pixels the first round of an adaptive render needs: the tiles that are asked for, and of all others those
+// pixels that a tile asked for can see.
+#pragma once
+
+#include <algorithm>
+
+#include "rendering/noise_estimate.hpp"
+#include "rendering/tile_grid.hpp"
+
+namespace penumbra {
+
+static_assert(noise_tile_size == tile_size);
+
+// Calls `visit(pixels)` for parts of a tile that do not overlap. `is_wanted(column, row)` tells whether the tile there,
+// counted from the picture's top left, is asked for; no tile outside the picture is.
+template <class IsWanted, class Visit>
+void for_first_round(const Crop& tile, const IsWanted& is_wanted, const Visit& visit) {
+  const int column = tile.x0 / tile_size, row = tile.y0 / tile_size;
+  if (is_wanted(column, row)) {
+    visit(tile);
+    return;
+  }
+  // Its rim in three by three cells, of which a neighbour sees those on its side.
+  const auto cut = [](int start, int cell) {
+    return start * tile_size + (cell == 0   ? 0
+                                : cell == 1 ? noise_reach
+                                : cell == 2 ? tile_size - noise_reach
+                                            : tile_size);
+  };
+  for (int cy = 0; cy < 3; cy++) {
+    for (int cx = 0; cx < 3; cx++) {
+      const int dx = cx - 1, dy = cy - 1;
+      const bool seen = (dx != 0 && is_wanted(column + dx, row)) || (dy != 0 && is_wanted(column, row + dy)) ||
+                        (dx != 0 && dy != 0 && is_wanted(column + dx, row + dy));
+      const Crop cell{std::max(cut(column, cx), tile.x0), std::max(cut(row, cy), tile.y0),
+                      std::min(cut(column, cx + 1), tile.x1), std::min(cut(row, cy + 1), tile.y1)};
+      if (seen && cell.x0 < cell.x1 && cell.y0 < cell.y1) visit(cell);
+    }
+  }
+}
+
+}  // namespace penumbra

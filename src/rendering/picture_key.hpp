@@ -1,0 +1,42 @@
+// What a picture depends on: sums of samples belong together if their keys are equal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/content_hash.hpp"
+
+namespace penumbra {
+
+// Names and values of options.
+using PlanInWords = std::vector<std::pair<std::string, std::string>>;
+
+struct PictureKey {
+  std::string version;  // of the program
+  ContentHash scene;    // of the bytes of the scene file and of all that it reads
+  int picture = 1;      // which of the scene file's pictures
+  PlanInWords plan;     // the options that change the picture
+};
+
+// The first thing in which two keys differ: `version`, `scene`, `picture` or the name of an option; and what it is
+// here and there, `not given` where an option is not.
+struct KeyDifference {
+  std::string name, here, there;
+};
+std::optional<KeyDifference> difference(const PictureKey& here, const PictureKey& there);
+
+template <class Archive, class Key>
+void exchange_key(Archive& archive, Key& key) {
+  archive(key.version);
+  archive(key.scene.low);
+  archive(key.scene.high);
+  archive(key.picture);
+  archive.list(key.plan, [](auto& out, auto& option) {
+    out(option.first);
+    out(option.second);
+  });
+}
+
+}  // namespace penumbra

@@ -1,0 +1,93 @@
+#include "rendering/sealed_file.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <array>
+#include <cstring>
+
+#include "base/content_hash.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view magic = "PENUMBRA";
+constexpr std::uint32_t format = 1;
+constexpr std::size_t head_size = 16, block_head_size = 16;
+
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+constexpr bool checks_checksums = false;  // a fuzzer never finds a right one
+#else
+constexpr bool checks_checksums = true;
+#endif
+
+std::uint64_t seal_of(std::span<const std::byte> block, std::uint64_t number) { return checksum(block, number); }
+
+}  // namespace
+
+const char* name_of(FileKind kind) { return kind == FileKind::checkpoint ? "checkpoint" : "part of a picture"; }
+
+SealedWriter::SealedWriter(FileKind kind) {
+  out_.numbers(std::span(magic));
+  out_(static_cast<std::uint32_t>(kind));
+  out_(format);
+}
+
+void SealedWriter::add(std::span<const std::byte> block) {
+  if (!block.empty()) write(block);
+}
+
+std::vector<std::byte> SealedWriter::finish() {
+  write({});
+  return out_.take();
+}
+
+void SealedWriter::write(std::span<const std::byte> block) {
+  out_(std::uint64_t{block.size()});
+  out_(seal_of(block, number_++));
+  out_.numbers(std::span(reinterpret_cast<const unsigned char*>(block.data()), block.size()));
+}
+
+bool is_sealed(std::span<const std::byte> bytes, FileKind kind) {
+  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) return false;
+  std::uint32_t found = 0;
+  ArchiveReader head(bytes.subspan(magic.size()));
+  head(found);
+  return found == static_cast<std::uint32_t>(kind);
+}
+
+SealedReader::SealedReader(std::span<const std::byte> bytes, FileKind kind, std::string name)
+    : bytes_(bytes), kind_(kind), name_(std::move(name)), position_(head_size) {
+  if (!is_sealed(bytes, kind)) throw FileError(EX_DATAERR, fmt::format("`{}` is not a {}", name_, name_of(kind)));
+  std::uint32_t format_found = 0;
+  ArchiveReader head(bytes.subspan(head_size - sizeof format_found));
+  head(format_found);
+  if (format_found != format) {
+    throw FileError(EX_DATAERR, fmt::format("`{}` is a {} of format {}, and this program knows format {} only", name_,
+                                            name_of(kind), format_found, format));
+  }
+}
+
+std::span<const std::byte> SealedReader::next() {
+  block_start_ = position_;
+  number_++;
+  const std::size_t left = bytes_.size() - position_;
+  std::uint64_t length = 0, seal = 0;
+  if (left < block_head_size) fail("the file ends too early");
+  ArchiveReader head(bytes_.subspan(position_, block_head_size));
+  head(length);
+  head(seal);
+  if (length > left - block_head_size) fail("the file ends too early");
+  const auto block = bytes_.subspan(position_ + block_head_size, static_cast<std::size_t>(length));
+  if (checks_checksums && seal != seal_of(block, number_ - 1)) fail("it is not what was written");
+  position_ += block_head_size + block.size();
+  if (block.empty() && position_ != bytes_.size()) fail("the file goes on after its end");
+  return block;
+}
+
+void SealedReader::fail(const std::string& why) const {
+  throw FileError(EX_DATAERR, fmt::format("`{}` is a damaged {}: block {} at byte {} of {}: {}", name_, name_of(kind_),
+                                          number_, block_start_, bytes_.size(), why));
+}
+
+}  // namespace penumbra

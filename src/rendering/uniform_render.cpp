@@ -1,0 +1,63 @@
+#include "rendering/uniform_render.hpp"
+
+#include <algorithm>
+
+namespace penumbra {
+namespace {
+
+constexpr std::uint32_t samples_of_first_pass = 16;
+
+}  // namespace
+
+UniformRender::UniformRender(const Frame& frame, const Kernel& kernel, const Plan& plan, std::uint32_t rays,
+                             bool in_passes)
+    : frame_(frame),
+      kernel_(kernel),
+      plan_(plan),
+      rays_(rays),
+      in_passes_(in_passes),
+      grid_(plan.crop),
+      film_(plan.crop, plan.layers) {}
+
+RayCounts UniformRender::run(RenderState& state) {
+  if (state.pixel_samples_done == 0) state.pixel_samples_before = film_.total_samples();
+  state.pixel_samples_done = film_.total_samples();
+  RayCounts rays;
+  std::uint32_t end = in_passes_ ? std::min(samples_of_first_pass, rays_) : rays_;
+  for (;;) {
+    rays += render_samples(film_, frame_, kernel_, plan_, {0, end}, state);
+    if (end == rays_ || state.stop) return rays;
+    end = end > rays_ / 2 ? rays_ : 2 * end;
+  }
+}
+
+bool UniformRender::is_finished() const {
+  for (int i = 0; i < grid_.count(); i++) {
+    if (!grid_.has(plan_.shard, i)) continue;
+    const Crop tile = grid_.tile(i);
+    for (int y = tile.y0; y < tile.y1; y++) {
+      for (int x = tile.x0; x < tile.x1; x++) {
+        if (film_.samples_at(x, y) < rays_) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// The first pixel of a tile is never behind the others.
+bool UniformRender::has_begun(int tile) const {
+  const Crop pixels = grid_.tile(tile);
+  return film_.samples_at(pixels.x0, pixels.y0) > 0;
+}
+
+void UniformRender::read(ArchiveReader& archive, int tile) {
+  const Crop pixels = grid_.tile(tile);
+  film_.read(archive, pixels);
+  for (int y = pixels.y0; y < pixels.y1; y++) {
+    for (int x = pixels.x0; x < pixels.x1; x++) {
+      if (film_.samples_at(x, y) > rays_) throw ArchiveError("a pixel has more samples than it shall get");
+    }
+  }
+}
+
+}  // namespace penumbra

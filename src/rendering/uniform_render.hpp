@@ -1,0 +1,36 @@
+// Every pixel gets the same number of samples.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/resumable_render.hpp"
+
+namespace penumbra {
+
+class UniformRender : public ResumableRender {
+ public:
+  // `in_passes`: few samples for all tiles come first, then as many again, and so on, so that there is a picture of the
+  // whole early. Frame and kernel must outlive this.
+  UniformRender(const Frame& frame, const Kernel& kernel, const Plan& plan, std::uint32_t rays, bool in_passes);
+
+  RayCounts run(RenderState& state) override;
+  bool is_finished() const override;
+  std::uint64_t unfinished_pixels() const override { return 0; }
+  Film take_film() override { return std::move(film_); }
+
+  const TileGrid& grid() const override { return grid_; }
+  bool has_begun(int tile) const override;
+  void write(ArchiveWriter& archive, int tile) const override { film_.write(archive, grid_.tile(tile)); }
+  void read(ArchiveReader& archive, int tile) override;
+
+ private:
+  const Frame& frame_;
+  const Kernel& kernel_;
+  Plan plan_;
+  std::uint32_t rays_;
+  bool in_passes_;
+  TileGrid grid_;
+  Film film_;
+};
+
+}  // namespace penumbra

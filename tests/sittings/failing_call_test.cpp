@@ -1,0 +1,114 @@
+// Whichever call that writes a file fails, and however: a message and the exit code say so, the old file is untouched,
+// no temporary one is left, and the render can be gone on with.
+#include <gtest/gtest.h>
+
+#include "sittings/sitting_fixture.hpp"
+
+namespace penumbra::test {
+namespace {
+
+class FailingCall : public SittingTest {
+ protected:
+  // Exit code and name of the call that failed; no name if there are fewer calls.
+  std::pair<int, std::string> run_with_failure(const Words& command, int call, const std::string& how) const {
+    std::filesystem::remove(path("failed"));
+    const int code = run(command, {{"LD_PRELOAD", PENUMBRA_FAILING_CALLS},
+                                   {"ASAN_OPTIONS", "verify_asan_link_order=0"},
+                                   {"PENUMBRA_FAIL", std::to_string(call) + ":" + how},
+                                   {"PENUMBRA_FAIL_LOG", path("failed")}});
+    const std::string failed = content_of(path("failed"));
+    std::filesystem::remove(path("failed"));
+    return {code, failed};
+  }
+
+  // Runs the command with each call failing in turn, before each of which `prepare()` puts the files in place. `check`
+  // gets the exit code and the call's name.
+  template <class Prepare, class Check>
+  void for_every_call(const Words& command, int fewest_calls, const Prepare& prepare, const Check& check) const {
+    for (const std::string how : {"ENOSPC", "EIO", "SHORT", "FULL"}) {
+      for (int call = 1;; call++) {
+        prepare();
+        const auto [code, failed] = run_with_failure(command, call, how);
+        if (failed.empty()) {
+          EXPECT_GT(call, how == "SHORT" || how == "FULL" ? 1 : fewest_calls) << how;
+          break;
+        }
+        SCOPED_TRACE(how + " in call " + std::to_string(call) + ", " + failed);
+        check(code, failed, how);
+      }
+    }
+  }
+};
+
+TEST_F(FailingCall, OfARender) {
+  const std::string picture = unbroken({}).first;
+  for_every_call(
+      {"render", scene_, "--quiet", "-o", picture_}, 4, [&] { put_content(picture_, "old"); },
+      [&](int code, const std::string& failed, const std::string& how) {
+        const bool harmless = how == "SHORT" || failed == "fsync of a folder";
+        EXPECT_EQ(code, harmless ? 0 : failed == "rename" ? 73 : 74);
+        EXPECT_EQ(content_of(picture_) == picture, harmless);
+        EXPECT_EQ(content_of(picture_) == "old", !harmless);
+        EXPECT_EQ(said().starts_with("penumbra: cannot "), !harmless) << said();
+        EXPECT_EQ(others(), Words{"picture.exr"});
+      });
+}
+
+TEST_F(FailingCall, OfAMerge) {
+  const Words parts = {path("part0"), path("part1")};
+  const std::string picture = unbroken({}).first;
+  for (const std::string index : {"0", "1"}) {
+    ASSERT_EQ(render({"--shard", index + "/2", "-o", path("part" + index + ".exr")}), 0) << said();
+  }
+  for_every_call(
+      {"merge", "--quiet", path("part0.exr"), path("part1.exr"), "-o", picture_}, 4,
+      [&] { put_content(picture_, "old"); },
+      [&](int code, const std::string& failed, const std::string& how) {
+        const bool harmless = how == "SHORT" || failed == "fsync of a folder";
+        EXPECT_EQ(code, harmless ? 0 : failed == "rename" ? 73 : 74);
+        EXPECT_EQ(content_of(picture_) == picture, harmless);
+        EXPECT_EQ(said().starts_with("penumbra: cannot "), !harmless) << said();
+        EXPECT_EQ(others(), (Words{"part0.exr", "part1.exr", "picture.exr"}));
+      });
+}
+
+TEST_F(FailingCall, OfASittingThatIsInterrupted) {
+  const Words arguments = {"--rays", std::to_string(scaled(200, 40))};
+  const auto [picture, seconds] = unbroken(arguments);
+  const Words sitting =
+      Words{"render", scene_, "--quiet", "-o", picture_, "--checkpoint", checkpoint_, "--resume"} + arguments;
+  ASSERT_EQ(run(sitting + Words{"--time-limit", std::to_string(seconds / 3)}), 75) << said();
+  const std::string checkpoint = content_of(checkpoint_);
+  for_every_call(
+      sitting + Words{"--time-limit", "0.0001s"}, 9,
+      [&, checkpoint = checkpoint] {
+        put_content(picture_, "old");
+        put_content(checkpoint_, checkpoint);
+        put_content(checkpoint_ + ".previous", checkpoint);
+      },
+      [&, picture = picture](int code, const std::string& failed, const std::string& how) {
+        if (code != 75) {
+          EXPECT_TRUE(code == 73 || code == 74) << code << failed << how;
+          EXPECT_EQ(content_of(picture_), "old");
+          EXPECT_TRUE(said().starts_with("penumbra: cannot ")) << said();
+        }
+        EXPECT_EQ(others(), (Words{"checkpoint", "checkpoint.previous", "picture.exr"}));
+        EXPECT_EQ(run(sitting), 0) << said();
+        EXPECT_TRUE(content_of(picture_) == picture);
+      });
+}
+
+// When the disk goes away while the render goes on, that ends it; and the checkpoint before can be gone on from.
+TEST_F(FailingCall, OfASavingOnTheWay) {
+  const Words sitting = {"render",    scene_,     "--quiet", "-o",      picture_,  "--checkpoint",
+                         checkpoint_, "--resume", "--rays",  "1000000", "--every", "0.05s"};
+  for (const int call : {1, 2, 3, 8, 9, 14}) {
+    const auto [code, failed] = run_with_failure(sitting + Words{"--time-limit", "60s"}, call, "GONE");
+    EXPECT_TRUE(code == 73 || code == 74) << code << " " << failed;
+    EXPECT_TRUE(said().starts_with("penumbra: cannot ")) << said();
+  }
+  EXPECT_EQ(run(sitting + Words{"--time-limit", "0.1s"}), 75) << said();
+}
+
+}  // namespace
+}  // namespace penumbra::test

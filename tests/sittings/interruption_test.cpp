@@ -1,0 +1,125 @@
+// Signals and the time limit: the picture so far and the checkpoint are written, the exit code is 75, and going on
+// gives the unbroken file.
+#include "app/interruption.hpp"
+
+#include <gtest/gtest.h>
+
+#include "image/image_file.hpp"
+#include "rendering/checkpoint.hpp"
+#include "sittings/sitting_fixture.hpp"
+
+namespace penumbra::test {
+namespace {
+
+// Ends of a child process that does `work`: its exit code, or 128 and the number of the signal.
+template <class Work>
+int end_of_child(const Work& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+TEST(Interruption, TheFirstSignalSetsTheFlagTheSecondEnds) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const int end = end_of_child([signal] {
+      std::atomic<bool> flag{false};
+      Interruption interruption;
+      interruption.stop_through(&flag);
+      if (interruption.signal()) ::_exit(1);
+      ::raise(signal);
+      if (!flag || !interruption.signal()) ::_exit(2);
+      ::raise(SIGTERM);
+      ::_exit(3);
+    });
+    EXPECT_EQ(end, 128 + SIGTERM) << signal;
+  }
+}
+
+TEST(Interruption, WithNothingToSaveTheFirstEnds) {
+  const int end = end_of_child([] {
+    const Interruption interruption;
+    ::close(STDERR_FILENO);
+    ::raise(SIGINT);
+  });
+  EXPECT_EQ(end, 75);
+}
+
+TEST(Interruption, IsNotedBetweenPictures) {
+  const int end = end_of_child([] {
+    std::atomic<bool> flag{false};
+    Interruption interruption;
+    interruption.stop_through(nullptr);
+    ::raise(SIGINT);
+    if (flag) ::_exit(1);
+    interruption.stop_through(&flag);
+    ::_exit(flag ? 42 : 2);
+  });
+  EXPECT_EQ(end, 42);
+}
+
+class Interrupted : public SittingTest {
+ protected:
+  // A render of minutes.
+  Words endless() const {
+    return Words{"render", scene_,   "--size",       "640x480",   "--rays",  "100000", "--threads",  "2",
+                 "-o",     picture_, "--checkpoint", checkpoint_, "--every", "0.2s",   "--progress", "none"};
+  }
+};
+
+TEST_F(Interrupted, BySignals) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    RunningProgram program(endless(), log_);
+    while (!std::filesystem::exists(checkpoint_)) sleep_for(0.01);
+    const auto start = std::chrono::steady_clock::now();
+    program.send(signal);
+    EXPECT_EQ(program.wait(), 75) << said();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), 20) << "not in the two seconds of an idle machine, but at once";
+    EXPECT_NE(said().find(signal == SIGINT ? "interrupted by SIGINT" : "interrupted by SIGTERM"), std::string::npos)
+        << said();
+    EXPECT_EQ(read_image(picture_).image.width, 640);
+    EXPECT_TRUE(read_last_checkpoint(checkpoint_).checkpoint);
+    std::filesystem::remove(checkpoint_);
+    std::filesystem::remove(picture_);
+  }
+}
+
+TEST_F(Interrupted, ByTheTimeLimit) {
+  const Words arguments = {"--rays", std::to_string(scaled(512, 64)), "--aov", "depth,samples"};
+  const auto [whole, seconds] = unbroken(arguments);
+  const Words limited =
+      arguments +
+      Words{"--checkpoint", checkpoint_, "--resume", "--time-limit", std::to_string(seconds / 3) + "s", "-o", picture_};
+  int sittings = 1;
+  for (int code; (code = render(limited)) != 0; sittings++) {
+    ASSERT_EQ(code, 75) << said();
+    EXPECT_EQ(said(), "penumbra: the time limit is reached: the same command with --resume goes on from `" +
+                          checkpoint_ + "`\n");
+    ASSERT_LT(sittings, 200);
+  }
+  EXPECT_GT(sittings, 1);
+  EXPECT_TRUE(content_of(picture_) == whole);
+  EXPECT_EQ(others(), Words{"picture.exr"});
+}
+
+TEST_F(Interrupted, WithoutACheckpointThereIsThePicture) {
+  EXPECT_EQ(render({"--rays", "1000000", "--time-limit", "0.5", "-o", picture_}), 75);
+  EXPECT_EQ(said(), "penumbra: the time limit is reached: what is written is not finished\n");
+  EXPECT_EQ(read_image(picture_).image.width, 53);
+}
+
+// A shard that is not finished is no part.
+TEST_F(Interrupted, AShardHasItsCheckpointOnly) {
+  EXPECT_EQ(render({"--rays", "1000000", "--time-limit", "0.5", "-o", picture_, "--shard", "0/2", "--checkpoint",
+                    checkpoint_}),
+            75);
+  EXPECT_EQ(others(), Words{"checkpoint"});
+}
+
+}  // namespace
+}  // namespace penumbra::test

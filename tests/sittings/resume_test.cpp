@@ -1,0 +1,129 @@
+// A render that is stopped anywhere, saved, and gone on with by another process gives the film of an unbroken one.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sittings/pictures.hpp"
+#include "sittings/stopping_kernel.hpp"
+
+namespace penumbra::test {
+namespace {
+
+// The film of a render that is stopped after `calls()` calls of the kernel, again and again; and how often it was.
+template <class Calls>
+std::pair<FilmValues, int> in_sittings(const Setting& setting, int threads, const Calls& calls) {
+  std::vector<std::byte> saved;
+  for (int sittings = 1;; sittings++) {
+    RenderState state;
+    const StoppingKernel kernel(state.stop);
+    Setting now = setting;
+    now.plan.threads = threads;
+    const std::unique_ptr<ResumableRender> render = now.render(kernel.kernel());
+    if (!saved.empty()) Checkpoint(saved, "test").restore(*render);
+    StoppingKernel::stop_in_call(calls());
+    render->run(state);
+    if (render->is_finished()) return {values_of(render->take_film()), sittings};
+    EXPECT_TRUE(state.stop);
+    saved = encode_checkpoint(now.key, {}, *render);
+  }
+}
+
+class Resume : public testing::TestWithParam<PictureOfTest> {};
+
+TEST_P(Resume, GivesTheUnbrokenFilm) {
+  const Setting setting(GetParam());
+  const FilmValues whole = unbroken(setting);
+  std::mt19937 random(1);
+  for (const int longest : {40, scaled(400, 4000)}) {
+    for (const int threads : {1, 3}) {
+      const auto [film, sittings] = in_sittings(
+          setting, threads, [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(longest)); });
+      EXPECT_TRUE(film == whole) << sittings << " sittings";
+    }
+  }
+}
+
+// Every sitting gets somewhere, however short it is.
+TEST_P(Resume, OneCallAtATime) {
+  Setting setting(GetParam());
+  Crop& crop = setting.plan.crop;
+  crop = {crop.x0, crop.y0, crop.x0 + 9, crop.y0 + 3};
+  const FilmValues whole = unbroken(setting);
+  int most = 0;
+  const auto [film, sittings] = in_sittings(setting, 1, [&] { return setting.goal ? 1000 : (most++, 1); });
+  EXPECT_TRUE(film == whole) << sittings << " sittings";
+}
+
+// The same process going on, as it does after it has written a checkpoint.
+TEST_P(Resume, GoesOnWithoutACheckpoint) {
+  const Setting setting(GetParam());
+  RenderState state;
+  const StoppingKernel kernel(state.stop);
+  const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
+  std::mt19937 random(2);
+  int stops = 0;
+  RayCounts rays;
+  for (; !render->is_finished(); stops++) {
+    state.stop = false;
+    StoppingKernel::stop_in_call(1 + static_cast<int>(random() % 300));
+    rays += render->run(state);
+  }
+  EXPECT_GT(stops, 0);
+  EXPECT_TRUE(values_of(render->take_film()) == unbroken(setting)) << stops << " stops";
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, Resume, testing::ValuesIn(pictures_of_test()), [](const auto& of) {
+  std::string name = of.param.name;
+  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+  return name;
+});
+
+// What is written for the user when a render is interrupted: each pixel's mean over its own samples.
+TEST(PictureSoFar, IsTheMeanOfWhatThereIs) {
+  const PictureOfTest picture{"", scene_text(64), {}};
+  const Setting setting(picture);
+  RenderState state;
+  const StoppingKernel kernel(state.stop);
+  const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
+  StoppingKernel::stop_in_call(17);  // 12 tiles: all have 16 samples, some 32
+  render->run(state);
+  ASSERT_FALSE(render->is_finished());
+  const FilmValues so_far = values_of(render->take_film());
+
+  const auto after = [&](std::uint32_t samples) {
+    RenderState unstopped;
+    Film film(setting.plan.crop, setting.plan.layers);
+    render_samples(film, setting.frame, *usable_kernels().back(), setting.plan, {0, samples}, unstopped);
+    return values_of(film);
+  };
+  const FilmValues first = after(16), second = after(32);
+  int with_second = 0;
+  for (std::size_t i = 0; i < so_far.samples.size(); i++) {
+    const FilmValues& expected = so_far.samples[i] == 32 ? second : first;
+    with_second += so_far.samples[i] == 32;
+    for (std::size_t c = 3 * i; c < 3 * i + 3; c++) {
+      ASSERT_EQ(so_far.color[c], expected.color[c]);
+      ASSERT_EQ(so_far.variance[c], expected.variance[c]);
+    }
+    ASSERT_EQ(so_far.depth[i], expected.depth[i]);
+    ASSERT_EQ(so_far.samples[i], expected.samples[i]);
+  }
+  EXPECT_EQ(with_second, 3 * 256 + 80 + 256);  // the fourth tile of a row is five pixels wide
+}
+
+// Of an adaptive render, too: after the first round there is a picture of everything.
+TEST(PictureSoFar, OfAnAdaptiveRender) {
+  const Setting setting({"", scene_text(256), 0.01f});
+  RenderState state;
+  const StoppingKernel kernel(state.stop);
+  const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
+  StoppingKernel::stop_in_call(4 * 12 + 1000);  // four calls for each tile's first round
+  render->run(state);
+  ASSERT_FALSE(render->is_finished());
+  const Film film = render->take_film();
+  EXPECT_GE(film.samples(), 16u);
+  EXPECT_GT(film.total_samples(), 53u * 37 * 16);
+}
+
+}  // namespace
+}  // namespace penumbra::test

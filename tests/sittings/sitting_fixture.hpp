@@ -1,0 +1,61 @@
+// A folder with a scene in it, and commands that render it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "base/test_folder.hpp"
+#include "base/test_scale.hpp"
+#include "rendering/all_effects.hpp"
+#include "sittings/running_program.hpp"
+
+namespace penumbra::test {
+
+using Words = std::vector<std::string>;
+
+inline Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+class SittingTest : public testing::Test {
+ protected:
+  SittingTest() { put_content(scene_, scene_text(16)); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  // `render SCENE arguments...`; what it says is in said() then.
+  int render(const Words& arguments) const { return run(Words{"render", scene_, "--quiet"} + arguments); }
+  int run(const Words& words, const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
+    return RunningProgram(words, log_, environment).wait();
+  }
+  std::string said() const { return content_of(log_); }
+
+  // The bytes of an unbroken render, and the seconds it took.
+  std::pair<std::string, double> unbroken(const Words& arguments, const std::string& ending = ".exr") const {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string file = path("unbroken" + ending);
+    EXPECT_EQ(render(arguments + Words{"-o", file}), 0) << said();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::string bytes = content_of(file);
+    EXPECT_FALSE(bytes.empty());
+    std::filesystem::remove(file);
+    return {std::move(bytes), seconds};
+  }
+
+  // The files there are but scene and log.
+  Words others() const {
+    Words names = folder_.names();
+    std::erase_if(names, [](const std::string& name) { return name == "scene.cli" || name == "log"; });
+    return names;
+  }
+
+  TestFolder folder_;
+  const std::string scene_ = path("scene.cli"), log_ = path("log");
+  const std::string picture_ = path("picture.exr"), checkpoint_ = path("checkpoint");
+};
+
+}  // namespace penumbra::test

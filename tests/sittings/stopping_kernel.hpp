@@ -1,0 +1,36 @@
+// A kernel that says stop after a number of calls, so that a test can stop a render at any place of its choice.
+#pragma once
+
+#include <atomic>
+
+#include "rendering/isa.hpp"
+#include "rendering/render.hpp"
+
+namespace penumbra::test {
+
+// One at a time.
+class StoppingKernel {
+ public:
+  explicit StoppingKernel(std::atomic<bool>& stop) : kernel_(*usable_kernels().back()) {
+    kernel_.render_tile = render_tile;
+    stop_ = &stop;
+    calls_left_ = -1;
+  }
+
+  const Kernel& kernel() const { return kernel_; }
+
+  // The flag is set during the call of this number from now on.
+  static void stop_in_call(int number) { calls_left_ = number; }
+
+ private:
+  static void render_tile(const Frame& frame, const FilmView& film, const TileSamples& tile, RayCounts& counts) {
+    usable_kernels().back()->render_tile(frame, film, tile, counts);
+    if (calls_left_.fetch_sub(1) == 1) *stop_ = true;
+  }
+
+  Kernel kernel_;
+  static inline std::atomic<bool>* stop_ = nullptr;
+  static inline std::atomic<int> calls_left_{-1};
+};
+
+}  // namespace penumbra::test

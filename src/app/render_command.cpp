@@ -122,7 +122,8 @@ class RenderRun {
       fmt::print(stderr, "penumbra: this machine has none of the instruction sets that this program was built for\n");
       return exit_software;
     }
-    const bool wants_hash = !options_.sitting.checkpoint.empty() || options_.sitting.shard;
+    const SittingOptions& sitting = options_.sitting;
+    const bool wants_hash = !sitting.checkpoint.empty() || sitting.shard || !sitting.scene_hash.empty();
     const SceneFile file = read_scene(options_.scene, {options_.course, options_.lenient, wants_hash});
     stats_.parse_seconds = seconds_since(start_);
     for (const Diagnostic& diagnostic : file.diagnostics) {
@@ -130,6 +131,7 @@ class RenderRun {
     }
     if (has_error(file.diagnostics)) return exit_scene;
 
+    require_hash(file.hash);
     const auto files = output_files(file.actions, options_.scene, options_.outputs);
     if (const int code = check_before_rendering(file.actions, files)) return code;
     sitting_.require_scene(version, file.hash);
@@ -159,6 +161,14 @@ class RenderRun {
   }
 
  private:
+  void require_hash(const ContentHash& hash) const {
+    const std::string& expected = options_.sitting.scene_hash;
+    if (expected.empty() || to_hex(hash) == expected) return;
+    throw FileError(exit_scene, fmt::format("`{}`, or a file that it reads, has changed: the hash of its files is {}, "
+                                            "and {} is asked for",
+                                            options_.scene, to_hex(hash), expected));
+  }
+
   static bool are_there(const std::vector<std::filesystem::path>& files) {
     return std::all_of(files.begin(), files.end(), [](const auto& file) {
       std::error_code error;

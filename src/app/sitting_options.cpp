@@ -71,6 +71,10 @@ void add_sitting_options(CLI::App& command, SittingOptions& options) {
           "--shard", [&options](const std::string& text) { options.shard = checked_shard(text); },
           "Render tiles i of n, i from 0, to -o PART.exr, for `penumbra merge` [all]")
       ->type_name("i/n");
+  command
+      .add_option("--scene-hash", options.scene_hash,
+                  "Refuse to render if the scene, or a file it reads, has another hash than this [any]")
+      ->type_name("HASH");
 }
 
 }  // namespace penumbra

@@ -20,6 +20,7 @@ struct SittingOptions {
   bool resume = false;               // go on from the checkpoint, if there is one
   std::optional<double> time_limit;  // seconds
   std::optional<Shard> shard;
+  std::string scene_hash;  // what the scene's files must have, in hexadecimal digits; empty: anything
 
   // Whether there is anything to do when the render is interrupted.
   bool has_end_in_mind() const { return !checkpoint.empty() || time_limit.has_value(); }

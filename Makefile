@@ -5,6 +5,7 @@
 #   make build      install what is missing, build the release
 #   make test-long  what takes longer: all tests, twenty minutes of fuzzing, point sets of every size, adaptive errors,
 #                   renders killed 200 times and 500 times while they write
+#   make test-cluster  one frame on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
@@ -19,7 +20,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
 
-.PHONY: demo test build test-long bench instructions check-instructions lint format docs gallery fuzz clean
+.PHONY: demo test build test-long test-cluster bench instructions check-instructions lint format docs gallery fuzz clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -40,6 +41,10 @@ test-long: test fuzz
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
+
+test-cluster: build
+	@scripts/install-dependencies.sh cluster
+	@python3 tests/cluster/cluster_test.py --penumbra $(BUILD)/penumbra
 
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere

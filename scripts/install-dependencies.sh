@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that a goal needs (build, test, lint; machines: what tests/machines runs on;
-# instructions: what bench/instructions.py counts with), and only those that are missing: with everything there, no
+# instructions: what bench/instructions.py counts with; cluster: the Slurm of tests/cluster), and only those that are missing: with everything there, no
 # package manager is called and no network is needed. Only apt runs with root's rights.
 set -euo pipefail
 
@@ -10,6 +10,7 @@ test_packages=(libgtest-dev openimageio-tools)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 machines_packages=(qemu-user)
 instructions_packages=(valgrind)
+cluster_packages=(slurm-wlm munge)
 
 case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;
@@ -17,8 +18,9 @@ case "${1:-}" in
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
   machines) wanted=("${machines_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
+  cluster) wanted=("${build_packages[@]}" "${cluster_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|machines|instructions" >&2
+    echo "usage: $0 build|test|lint|machines|instructions|cluster" >&2
     exit 64
     ;;
 esac

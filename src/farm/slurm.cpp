@@ -46,14 +46,13 @@ std::optional<int> whole_number(std::string_view text) {
 
 // Of "D-HH:MM:SS" without what is 0 at its front; 0 where it is anything else.
 double elapsed_seconds(std::string_view text) {
-  double seconds = 0;
+  double days = 0, seconds = 0;
   if (const std::size_t dash = text.find('-'); dash != text.npos) {
-    seconds = 24.0 * whole_number(text.substr(0, dash)).value_or(0);
+    days = whole_number(text.substr(0, dash)).value_or(0);
     text.remove_prefix(dash + 1);
-    if (cut(text, ':').size() != 3) return 0;
   }
   for (const std::string_view piece : cut(text, ':')) seconds = 60 * seconds + whole_number(piece).value_or(0);
-  return seconds;
+  return 86400 * days + seconds;
 }
 
 }  // namespace

@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""A frame in 24 shards on a Slurm of three nodes, undisturbed, and then with all that can go wrong on a cluster:
+whatever happens, the picture is the file that one machine writes, to the byte, and nothing is rendered twice but what
+was lost.
+
+usage: cluster_test.py --penumbra build/release/penumbra"""
+
+import argparse
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+from loop_cluster import LoopCluster, processes, wait_until
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SHARDS = 24
+OPTIONS = ["--size", "480x270", "--rays", "48", "--aov", "depth,samples"]
+PATIENCE = 150  # seconds for one job, also where the processors are busy with other things
+
+
+def require(condition, what):
+    if not condition:
+        raise AssertionError(what)
+
+
+class Farm:
+    """One job and what is known of it."""
+
+    def __init__(self, penumbra, cluster, folder, scene):
+        self.penumbra, self.cluster = penumbra, cluster
+        os.mkdir(folder)
+        self.output = os.path.join(folder, "the picture's \"file\".exr")
+        self.folder = self.output + ".farm"
+        self.scene = scene
+
+    def run(self, *words, code=0):
+        result = subprocess.run([self.penumbra, "farm", *words], capture_output=True, text=True, check=False)
+        require(result.returncode == code, f"farm {words[0]}: exit code {result.returncode}, not {code}: "
+                                           f"{result.stdout}{result.stderr}")
+        return result.stdout
+
+    def submit(self, *words):
+        print(self.run("submit", self.scene, "-o", self.output, *words), end="", flush=True)
+
+    def status(self):
+        return json.loads(self.run("status", self.output, "--json"))
+
+    def part(self, unit):
+        return os.path.join(self.folder, "parts", f"{unit}.exr")
+
+    def parts(self):
+        """The units whose parts are there, the oldest first."""
+        with os.scandir(os.path.join(self.folder, "parts")) as entries:
+            found = [(entry.stat().st_mtime, entry.name) for entry in entries if re.fullmatch(r"\d+\.exr", entry.name)]
+        return [int(name[:-4]) for _, name in sorted(found)]
+
+    def renders(self):
+        """The units that are being rendered, and their processes."""
+        found = {}
+        for process in processes():
+            words = process.words
+            if len(words) > 2 and words[0] == self.penumbra and words[1] == "render" and "-o" in words:
+                part = re.fullmatch(r"parts/(\d+)\.exr", words[words.index("-o") + 1])
+                if part and os.path.samefile(f"/proc/{process.pid}/cwd", self.folder):
+                    found[int(part[1])] = process
+        return found
+
+    def wait(self):
+        wait_until(lambda: os.path.exists(self.output), PATIENCE, "picture", self.cluster.hurry)
+        wait_until(lambda: self.status()["finished"], 10, "finished job")
+
+    def log(self):
+        text = ""
+        for name in sorted(os.listdir(os.path.join(self.folder, "logs"))):
+            with open(os.path.join(self.folder, "logs", name), encoding="utf-8") as file:
+                text += file.read()
+        return text
+
+    def counts(self, pattern):
+        """How often a line is in the logs, for each unit."""
+        found = [int(unit) for unit in re.findall(pattern, self.log(), re.MULTILINE)]
+        return {unit: found.count(unit) for unit in set(found)}
+
+    def begun(self):
+        return self.counts(r"^unit (\d+) begins")
+
+    def rendered(self):
+        return self.counts(r"^parts/(\d+)\.exr: ")
+
+    def require_picture(self, expected):
+        with open(self.output, "rb") as file:
+            require(file.read() == expected, f"{self.output} is not the file of one machine")
+
+
+def once(units, *twice):
+    return {unit: 2 if unit in twice else 1 for unit in range(units)}
+
+
+class Slowed(threading.Thread):
+    """Lets a process run for a tenth of the time."""
+
+    def __init__(self, process):
+        super().__init__(daemon=True)
+        self.process = process
+        self.start()
+
+    def run(self):
+        while os.path.exists(f"/proc/{self.process.pid}"):
+            self.process.send(signal.SIGSTOP)
+            time.sleep(0.09)
+            self.process.send(signal.SIGCONT)
+            time.sleep(0.01)
+
+
+def undisturbed(farm, expected):
+    farm.submit("--shards", str(SHARDS), "--partition", "render", "--time", "10m", *OPTIONS)
+    wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts")
+    status = farm.status()
+    require(status["slurm"] and status["parts"] == SHARDS and status["done"] >= 3 and not status["lost"], status)
+    require(status["waiting"] and status.get("seconds_left", 1) > 0, status)
+    farm.wait()
+    farm.require_picture(expected)
+    require(farm.begun() == once(SHARDS) and farm.rendered() == once(SHARDS), farm.log())
+
+
+def disturbed(farm, expected):
+    cluster = farm.cluster
+    farm.submit("--shards", str(SHARDS), *OPTIONS)
+    running = wait_until(lambda: len(farm.renders()) == 3 and farm.renders(), PATIENCE, "three tasks at a time")
+    slow, interrupted = sorted(running)[:2]
+    Slowed(running[slow])
+    time.sleep(0.1)
+    running[interrupted].send(signal.SIGTERM)
+    print(f"  shard {slow} is ten times slower, {interrupted} has to end, exit code 75", flush=True)
+
+    wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts", cluster.hurry)
+    torn, deleted = farm.parts()[:2]
+    os.truncate(farm.part(torn), os.path.getsize(farm.part(torn)) - 1000)
+    os.remove(farm.part(deleted))
+    print(f"  part {torn} is torn, {deleted} deleted", flush=True)
+
+    def on_n2():
+        return [unit for unit, render in farm.renders().items()
+                if render.pid in {process.pid for process in cluster.tasks_of("n2")} and unit != slow]
+
+    killed = wait_until(on_n2, PATIENCE, "task on n2", cluster.hurry)[0]
+    cluster.kill_node("n2")
+    print(f"  n2 is dead, and shard {killed} with it", flush=True)
+    time.sleep(0.5)
+    cluster.kill("slurmctld")
+    status = farm.status()
+    require(not status["slurm"] and status["unknown"] and status["done"] > 0, status)
+    farm.run("collect", farm.output, code=65)
+    print("  the controller is dead; status goes on", flush=True)
+    time.sleep(1)
+    cluster.restart_controller()
+    cluster.declare_down("n2")
+    wait_until(lambda: farm.begun().get(killed, 0) == 2, PATIENCE, f"second turn of {killed}", cluster.hurry)
+    cluster.start_node("n2")
+
+    farm.wait()
+    farm.require_picture(expected)
+    require(farm.status()["resubmissions"] == 1, farm.status())
+    begun, rendered = farm.begun(), farm.rendered()
+    require(rendered == once(SHARDS, torn, deleted), f"rendered: {rendered}")
+    again = {unit for unit, count in begun.items() if count > rendered[unit]}
+    require(again == {interrupted, killed}, f"begun again: {again}")
+    cluster.wait_for_idle_nodes(3)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--penumbra", required=True)
+    parser.add_argument("--keep", action="store_true", help="leave the folder of the cluster for a look")
+    arguments = parser.parse_args()
+    penumbra = os.path.abspath(arguments.penumbra)
+    scratch = tempfile.mkdtemp(prefix="penumbra-cluster-")
+    start = time.monotonic()
+    try:
+        work = os.path.join(scratch, "it's 100% \"odd\" $HOME")  # names are not to matter
+        os.mkdir(work)
+        scene = os.path.join(work, "a scene.cli")
+        shutil.copy(os.path.join(ROOT, "scenes/demo.cli"), scene)
+        picture = os.path.join(work, "one machine.exr")
+        subprocess.run([penumbra, "render", scene, "-o", picture, "--quiet", *OPTIONS], check=True)
+        with open(picture, "rb") as file:
+            expected = file.read()
+        with LoopCluster(os.path.join(scratch, "slurm")) as cluster:
+            for scenario in [undisturbed, disturbed]:
+                print(f"{scenario.__name__} ({time.monotonic() - start:.0f} s)", flush=True)
+                scenario(Farm(penumbra, cluster, os.path.join(work, scenario.__name__), scene), expected)
+        print(f"the cluster's pictures are those of one machine ({time.monotonic() - start:.0f} s)")
+    finally:
+        if arguments.keep:
+            print(f"left for a look: {scratch}", file=sys.stderr)
+        else:
+            shutil.rmtree(scratch, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    main()

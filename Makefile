@@ -3,8 +3,8 @@
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  what takes longer: all tests, twenty minutes of fuzzing, point sets of every size, adaptive errors,
-#                   renders killed 200 times and 500 times while they write
+#   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
+#                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
 #   make test-cluster  one frame on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
@@ -19,8 +19,10 @@ CMAKE_FLAGS ?=
 PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
+WINDOW_EVENTS ?= 10000
 
-.PHONY: demo test build test-long test-cluster bench instructions check-instructions lint format docs gallery fuzz clean
+.PHONY: demo test build test-long test-cluster bench instructions check-instructions lint format docs gallery fuzz window-events \
+        clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -37,7 +39,7 @@ test:
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 	@ctest --preset $(PRESET) -j $(JOBS)
 
-test-long: test fuzz
+test-long: test fuzz window-events
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
@@ -46,10 +48,22 @@ test-cluster: build
 	@scripts/install-dependencies.sh cluster
 	@python3 tests/cluster/cluster_test.py --penumbra $(BUILD)/penumbra
 
+# Thousands of random events for the window, under AddressSanitizer and UndefinedBehaviorSanitizer and under
+# ThreadSanitizer.
+window-events:
+	@scripts/install-dependencies.sh test
+	@for preset in asan-ubsan tsan; do \
+	  cmake --preset $$preset -DPENUMBRA_TESTS=OFF $(CMAKE_FLAGS) > /dev/null && \
+	  cmake --build --preset $$preset -j $(JOBS) --target penumbra penumbra-view && \
+	  python3 tests/window/random_events.py build/$$preset/penumbra --events $(WINDOW_EVENTS) || exit 1; \
+	done
+
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
 	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
 	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
+	@scripts/install-dependencies.sh test
+	@bench/window_latency.py --penumbra $(BUILD)/penumbra
 
 instructions: build
 	@scripts/install-dependencies.sh instructions
@@ -70,6 +84,8 @@ format:
 docs: build
 	@cmake --build --preset $(PRESET) --target language_page
 	@scripts/make-pictures.sh $(BUILD)/penumbra
+	@scripts/install-dependencies.sh test
+	@scripts/make-window-pictures.py $(BUILD)/penumbra
 
 gallery: build
 	@scripts/make-gallery.sh $(BUILD)/penumbra

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/development.hpp"
 #include "app/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "invariants.hpp"

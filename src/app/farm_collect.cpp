@@ -8,9 +8,9 @@
 #include <map>
 
 #include "app/part_files.hpp"
-#include "app/version.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/version.hpp"
 #include "farm/child_process.hpp"
 #include "farm/slurm.hpp"
 #include "language/scene_file.hpp"

@@ -11,9 +11,9 @@
 #include <numeric>
 
 #include "app/outputs.hpp"
-#include "app/version.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/version.hpp"
 #include "farm/job.hpp"
 #include "farm/shell_words.hpp"
 #include "farm/slurm.hpp"

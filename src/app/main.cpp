@@ -13,7 +13,8 @@
 #include "app/render_command.hpp"
 #include "app/render_options.hpp"
 #include "app/samples_command.hpp"
-#include "app/version.hpp"
+#include "app/view_command.hpp"
+#include "base/version.hpp"
 
 namespace {
 
@@ -23,6 +24,14 @@ CLI::App* add_check(CLI::App& app, penumbra::CheckOptions& options) {
   check->add_flag("--course", options.course, "Place spheres and boxes as the course does [off]");
   check->add_flag("--lenient", options.lenient, "Skip commands that only other programs know, with a warning [off]");
   return check;
+}
+
+// Its arguments and its help are the business of the window's own program.
+const CLI::App* add_view(CLI::App& app) {
+  CLI::App* view = app.add_subcommand("view", "Open a window: see the picture grow, change the scene, ask a pixel why");
+  view->set_help_flag();
+  view->prefix_command();
+  return view;
 }
 
 constexpr int exit_usage = 64;
@@ -45,6 +54,7 @@ int run(int argc, char** argv) {
   const CLI::App* samples = penumbra::add_samples(app, samples_options);
   const CLI::App* merge = penumbra::add_merge(app, merge_options);
   const CLI::App* farm = penumbra::add_farm(app, farm_options);
+  const CLI::App* view = add_view(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -56,6 +66,7 @@ int run(int argc, char** argv) {
   if (samples->parsed()) return penumbra::samples_command(samples_options);
   if (merge->parsed()) return penumbra::merge_command(merge_options);
   if (farm->parsed()) return penumbra::farm_command(farm_options);
+  if (view->parsed()) return penumbra::view_command(view->remaining());
   return exit_usage;
 }
 

@@ -5,9 +5,9 @@
 
 #include <cstdio>
 
-#include "app/development.hpp"
 #include "app/part_file.hpp"
 #include "image/image_file.hpp"
+#include "picture/develop.hpp"
 
 namespace penumbra {
 

@@ -8,17 +8,19 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/development.hpp"
 #include "app/outputs.hpp"
 #include "app/part_file.hpp"
-#include "app/plan_in_words.hpp"
 #include "app/progress.hpp"
 #include "app/sitting.hpp"
 #include "app/stats.hpp"
-#include "app/version.hpp"
 #include "base/atomic_file.hpp"
+#include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "language/scene_file.hpp"
+#include "picture/develop.hpp"
+#include "picture/metadata.hpp"
+#include "picture/plan_in_words.hpp"
+#include "picture/ray_tree_text.hpp"
 #include "rendering/adaptive.hpp"
 #include "rendering/isa.hpp"
 #include "rendering/render.hpp"
@@ -40,76 +42,6 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-// The scene with what the command line says in place of its own words.
-Scene with_options(Scene scene, const RenderOptions& options) {
-  if (options.noise) scene.rays_per_pixel = static_cast<int>(NoiseGoal().most_rays);  // the scene's own is no limit
-  if (options.rays) scene.rays_per_pixel = *options.rays;
-  if (options.size) std::tie(scene.width, scene.height) = *options.size;
-  if (options.max_depth) scene.max_depth = *options.max_depth;
-  if (options.reflection_rays) scene.reflection_rays = *options.reflection_rays;
-  if (options.transmission_rays) scene.transmission_rays = *options.transmission_rays;
-  if (options.shadow_rays) scene.shadow_rays = *options.shadow_rays;
-  if (options.seed) scene.seed = *options.seed;
-  if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
-  return scene;
-}
-
-// The course's pictures are of independent random samples, unless the command line asks for others.
-Pattern pattern_for(const Scene& scene, const RenderOptions& options) {
-  if (options.sampler) return *options.sampler;
-  if (options.course) return Pattern::random;
-  return pattern_from_name(scene.sampler).value_or(default_pattern);
-}
-
-TracingOptions tracing_options(const Scene& scene, const RenderOptions& options) {
-  TracingOptions tracing;
-  tracing.pattern = pattern_for(scene, options);
-  tracing.seed = scene.seed;
-  tracing.max_depth = scene.max_depth;
-  tracing.rays_per_pixel = scene.rays_per_pixel;
-  tracing.reflection_rays = scene.reflection_rays;
-  tracing.transmission_rays = scene.transmission_rays;
-  tracing.shadow_rays = scene.shadow_rays;
-  tracing.regular_lights = options.regular_lights;
-  tracing.course = options.course;
-  tracing.shadows = !options.no_shadows;
-  tracing.transparent_shadows = options.transparent_shadows;
-  tracing.lens_model = options.lens_model;
-  return tracing;
-}
-
-// All that repeats the picture: never time, host, threads or instruction set.
-Metadata metadata_for(const Scene& scene, const TracingOptions& tracing, const RenderOptions& options) {
-  Metadata metadata = {{"scene", std::filesystem::path(options.scene).filename().string()},
-                       {"version", version},
-                       {"size", fmt::format("{}x{}", scene.width, scene.height)},
-                       {"rays", fmt::format("{}", scene.rays_per_pixel)},
-                       {"sampler", std::string(pattern_names[static_cast<int>(tracing.pattern)])},
-                       {"seed", fmt::format("{}", scene.seed)},
-                       {"max-depth", fmt::format("{}", scene.max_depth)}};
-  const auto add_rays = [&metadata](const char* name, int rays) {
-    if (rays != 1) metadata.emplace_back(name, fmt::format("{}", rays));
-  };
-  add_rays("reflection-rays", scene.reflection_rays);
-  add_rays("transmission-rays", scene.transmission_rays);
-  add_rays("shadow-rays", scene.shadow_rays);
-  if (options.regular_lights) metadata.emplace_back("sampler-light", "regular");
-  if (options.crop) {
-    const Crop& c = *options.crop;
-    metadata.emplace_back("crop", fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1));
-  }
-  if (options.noise) metadata.emplace_back("noise", fmt::format("{}", *options.noise));
-  if (options.time) metadata.emplace_back("time", fmt::format("{}", *options.time));
-  if (options.course) metadata.emplace_back("course", "yes");
-  if (options.lenient) metadata.emplace_back("lenient", "yes");
-  if (options.no_shadows) metadata.emplace_back("no-shadows", "yes");
-  if (options.lens_model != LensModel::thin) {
-    metadata.emplace_back("lens-model", lens_model_names[static_cast<int>(options.lens_model)]);
-  }
-  if (options.transparent_shadows) metadata.emplace_back("transparent-shadows", "yes");
-  return metadata;
 }
 
 class RenderRun {
@@ -184,9 +116,20 @@ class RenderRun {
       const auto* picture = std::get_if<Picture>(&action);
       if (!picture) continue;
       const Scene scene = with_options(*picture->scene, options_);
+      if (const std::string missing = missing_number(scene, options_); !missing.empty()) {
+        fmt::print(stderr, "penumbra: {}\n", missing);
+        return exit_usage;
+      }
       if (options_.crop && (options_.crop->x1 > scene.width || options_.crop->y1 > scene.height)) {
         fmt::print(stderr, "penumbra: --crop goes beyond the picture, which has {}x{} pixels\n", scene.width,
                    scene.height);
+        return exit_usage;
+      }
+      if (const auto& debug = options_.debug_pixel;
+          debug && (debug->x >= scene.width || debug->y >= scene.height || debug->sample >= scene.rays_per_pixel)) {
+        fmt::print(stderr,
+                   "penumbra: --debug-pixel is not in the picture, which has {}x{} pixels with {} samples each\n",
+                   scene.width, scene.height, scene.rays_per_pixel);
         return exit_usage;
       }
       if (const Pattern pattern = pattern_for(scene, options_); options_.noise && needs_count(pattern)) {
@@ -233,16 +176,24 @@ class RenderRun {
     plan.layers = options_.layers;
     plan.threads = options_.threads > 0 ? options_.threads : default_thread_count();
     plan.shard = options_.sitting.shard.value_or(Shard{});
-    const Development development{scene.width,   scene.height,
-                                  picture.rects, metadata_for(scene, tracing, options_),
-                                  options_.bits, options_.course ? Rounding::course : Rounding::nearest};
+    const Development development{scene.width,
+                                  scene.height,
+                                  picture.rects,
+                                  metadata_for(options_.scene, scene, options_),
+                                  options_.exposure_halves,
+                                  options_.bits,
+                                  options_.course ? Rounding::course : Rounding::nearest};
     const PictureKey key{version, scene_hash, number, plan_in_words(development.metadata, plan.layers)};
 
     Clock::time_point start = Clock::now();
     const Frame frame = make_frame(scene, tracing, plan.threads);
     stats_.build_seconds += seconds_since(start);
-
     const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
+    if (options_.debug_pixel) {
+      print_rays(frame, kernel, *options_.debug_pixel);
+      return true;
+    }
+
     const std::unique_ptr<ResumableRender> render = render_for(frame, kernel, plan);
     const std::uint64_t pixels = pixel_count(plan.crop, plan.shard);
     RenderState state;
@@ -284,6 +235,13 @@ class RenderRun {
     fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
                plan.crop.height(), rays, duration_text(spent.seconds),
                static_cast<double>(spent.rays.total()) / std::max(spent.seconds, 1e-9) * 1e-6);
+  }
+
+  static void print_rays(const Frame& frame, const Kernel& kernel, const DebugPixel& pixel) {
+    const auto sample = static_cast<std::uint32_t>(pixel.sample);
+    const auto count = static_cast<std::uint32_t>(frame.options.rays_per_pixel);
+    const RayTree tree = trace_sample(frame, kernel, pixel.x, pixel.y, sample, count);
+    fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
   }
 
   void note(const Frame& frame, const Kernel& kernel, const Plan& plan) {

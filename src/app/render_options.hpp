@@ -1,15 +1,13 @@
 // What `penumbra render` can be told on its command line.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/sitting_options.hpp"
+#include "picture/picture_options.hpp"
 #include "rendering/plan.hpp"
-#include "sampling/pattern.hpp"
-#include "tracing/lens_model.hpp"
 
 namespace CLI {
 class App;
@@ -21,24 +19,19 @@ struct Kernel;
 
 enum class ProgressStyle { automatic, bar, plain, json, none };
 
-// Options left out are empty: the scene's own word counts then.
-struct RenderOptions {
+// One sample of one pixel.
+struct DebugPixel {
+  int x = 0, y = 0, sample = 0;
+};
+
+struct RenderOptions : PictureOptions {
   std::string scene;
   std::vector<std::string> outputs;
-  std::optional<int> rays, max_depth;
-  std::optional<int> reflection_rays, transmission_rays, shadow_rays;
-  std::optional<std::uint32_t> seed;
-  std::optional<double> time;
-  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
-  std::optional<Pattern> sampler;
-  std::optional<std::pair<int, int>> size;
-  std::optional<Crop> crop;
-  int threads = 0;                 // 0: as many as there are
-  const Kernel* kernel = nullptr;  // null: the widest that can run here
+  std::optional<DebugPixel> debug_pixel;  // tell its rays instead of rendering
+  int threads = 0;                        // 0: as many as there are
+  const Kernel* kernel = nullptr;         // null: the widest that can run here
   int bits = 8;
-  LensModel lens_model = LensModel::thin;
-  bool no_shadows = false, transparent_shadows = false, regular_lights = false;
-  bool course = false, lenient = false, quiet = false;
+  bool quiet = false;
   Layers layers;
   ProgressStyle progress = ProgressStyle::automatic;
   std::string stats;

@@ -14,8 +14,8 @@
 
 #include "app/pattern_plot.hpp"
 #include "app/pattern_points.hpp"
-#include "app/version.hpp"
 #include "base/atomic_file.hpp"
+#include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "rendering/isa.hpp"
 #include "sampling/figures/cells.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/version.hpp"
+#include "base/version.hpp"
 
 namespace penumbra {
 

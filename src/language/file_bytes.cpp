@@ -46,6 +46,31 @@ LoadedFile failure(std::string problem) {
   return file;
 }
 
+LoadedFile load(const std::filesystem::path& path, bool may_map) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  if (file.number < 0) return failure(system_message(errno));
+  struct stat status {};
+  if (::fstat(file.number, &status) != 0) return failure(system_message(errno));
+  if (S_ISDIR(status.st_mode)) return failure("it is a folder");
+  if (!S_ISREG(status.st_mode)) return failure("it is not a regular file");
+
+  LoadedFile loaded;
+  loaded.identity = std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (may_map && size >= smallest_mapped) {
+    void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
+    if (address != MAP_FAILED) {
+      ::madvise(address, size, MADV_SEQUENTIAL);
+      loaded.bytes = FileBytes::from_mapping(address, size);
+      return loaded;
+    }
+  }
+  int error_code = 0;
+  loaded.bytes = FileBytes(read_all(file.number, size, error_code));
+  if (error_code != 0) return failure(system_message(error_code));
+  return loaded;
+}
+
 }  // namespace
 
 FileBytes::FileBytes(std::string text) : text_(std::move(text)) {}
@@ -87,29 +112,7 @@ void FileBytes::release_before(std::size_t offset) {
   released_ += bytes;
 }
 
-LoadedFile load_from_disk(const std::filesystem::path& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (file.number < 0) return failure(system_message(errno));
-  struct stat status {};
-  if (::fstat(file.number, &status) != 0) return failure(system_message(errno));
-  if (S_ISDIR(status.st_mode)) return failure("it is a folder");
-  if (!S_ISREG(status.st_mode)) return failure("it is not a regular file");
-
-  LoadedFile loaded;
-  loaded.identity = std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size >= smallest_mapped) {
-    void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
-    if (address != MAP_FAILED) {
-      ::madvise(address, size, MADV_SEQUENTIAL);
-      loaded.bytes = FileBytes::from_mapping(address, size);
-      return loaded;
-    }
-  }
-  int error_code = 0;
-  loaded.bytes = FileBytes(read_all(file.number, size, error_code));
-  if (error_code != 0) return failure(system_message(error_code));
-  return loaded;
-}
+LoadedFile load_from_disk(const std::filesystem::path& path) { return load(path, true); }
+LoadedFile load_copy_from_disk(const std::filesystem::path& path) { return load(path, false); }
 
 }  // namespace penumbra

@@ -48,4 +48,7 @@ using FileLoader = std::function<LoadedFile(const std::filesystem::path&)>;
 // Opens a regular file of the file system.
 LoadedFile load_from_disk(const std::filesystem::path& path);
 
+// The same for a file that may be cut short while it is used: it is never mapped.
+LoadedFile load_copy_from_disk(const std::filesystem::path& path);
+
 }  // namespace penumbra

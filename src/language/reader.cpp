@@ -81,6 +81,7 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
   const std::filesystem::path name(call.word(0));
   NamedFile file;
   file.path = name.is_absolute() ? name : reading.open_files.back().path.parent_path() / name;
+  remember_file(reading, file.path);
   file.loaded = reading.load(file.path);
   if (!file.loaded.problem.empty()) {
     reading.diagnostics.error(call.place_of_argument(0),
@@ -91,7 +92,6 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
     reading.diagnostics.error(call.place(), wrong);
     return std::nullopt;
   }
-  remember_file(reading, file.path);
   return file;
 }
 
@@ -137,10 +137,11 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
 }
 
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  if (!options.hash) return read_scene_with(path, std::nullopt, options, load_from_disk);
+  const auto load_file = options.edited ? load_copy_from_disk : load_from_disk;
+  if (!options.hash) return read_scene_with(path, std::nullopt, options, load_file);
   ContentHasher hasher;
-  const auto load = [&hasher](const std::filesystem::path& file) {
-    LoadedFile loaded = load_from_disk(file);
+  const auto load = [&hasher, load_file](const std::filesystem::path& file) {
+    LoadedFile loaded = load_file(file);
     hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
     return loaded;
   };

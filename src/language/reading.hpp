@@ -37,7 +37,7 @@ struct Reading {
   SceneBuilder builder;
 
   std::vector<OpenFile> open_files;  // the innermost last
-  std::vector<std::string> files;    // all that were opened, each once, as the user would find them
+  std::vector<std::string> files;    // all that were named, each once, as the user would find them
   std::size_t reads = 0;
   std::uint64_t bytes = 0;
 

@@ -34,15 +34,17 @@ using Action = std::variant<Picture, ResetTimer, PrintTimer>;
 struct SceneFile {
   std::vector<Action> actions;          // empty if there is any error
   std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
-  std::vector<std::string> files;       // all files that were read, each once, as the user would find them
   ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless asked for
-  bool found = true;                    // false: the scene file itself could not be opened
+  // All files that were opened, or should have been, each once, as the user would find them.
+  std::vector<std::string> files;
+  bool found = true;  // false: the scene file itself could not be opened
 };
 
 struct ReadOptions {
   bool course = false;   // spheres and boxes keep radius and axes: only the centre or the corners are transformed
   bool lenient = false;  // commands that only other programs know are skipped with a warning
   bool hash = false;     // the hash of the files is wanted
+  bool edited = false;   // somebody may rewrite the files meanwhile: large ones are copied, not mapped
 };
 
 // Reads the file and all that it names. Never throws for what the files contain.

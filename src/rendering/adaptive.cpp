@@ -40,7 +40,7 @@ bool is_stopped(const RenderState& state) { return state.stop.load(std::memory_o
 
 struct AdaptiveRender::Thread {
   RayCounts rays;
-  Refinement refinement;
+  TileRefinement refinement;
   std::vector<ColorSum> sums;
 };
 
@@ -104,7 +104,7 @@ void AdaptiveRender::exchange(Archive& archive, Self& self, int index) {
     tile.stage = static_cast<Stage>(stage);
     self.film_.read(archive, pixels);
     if (tile.stage != Stage::refining) return;
-    tile.refinement = std::make_unique<Refinement>();
+    tile.refinement = std::make_unique<TileRefinement>();
     tile.refinement->read(archive, pixels);
   } else {
     self.film_.write(archive, pixels);
@@ -209,7 +209,7 @@ void AdaptiveRender::render_first(const Crop& pixels, Thread& thread, const Rend
 void AdaptiveRender::refine(int index, Thread& thread, RenderState& state) {
   Tile& tile = tiles_[static_cast<std::size_t>(index)];
   if (tile.stage == Stage::finished) return;
-  Refinement& refinement = thread.refinement;
+  TileRefinement& refinement = thread.refinement;
   if (tile.refinement) {
     refinement = *tile.refinement;
   } else {
@@ -217,9 +217,9 @@ void AdaptiveRender::refine(int index, Thread& thread, RenderState& state) {
     refinement.begin(pixels, with_neighbours(pixels, frame_.width, frame_.height),
                      [this](int x, int y) { return noise_[pixel_at(x, y)]; });
   }
-  const Refinement::Place place{film_, frame_, kernel_, rules_};
+  const TileRefinement::Place place{film_, frame_, kernel_, rules_};
   if (!refinement.go_on(place, thread.rays, state)) {
-    tile.refinement = std::make_unique<Refinement>(refinement);
+    tile.refinement = std::make_unique<TileRefinement>(refinement);
     tile.stage = Stage::refining;
     return;
   }

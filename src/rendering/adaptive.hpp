@@ -9,8 +9,8 @@
 #include "rendering/adaptive_rules.hpp"
 #include "rendering/film.hpp"
 #include "rendering/plan.hpp"
-#include "rendering/refinement.hpp"
 #include "rendering/resumable_render.hpp"
+#include "rendering/tile_refinement.hpp"
 
 namespace penumbra {
 
@@ -44,8 +44,8 @@ class AdaptiveRender : public ResumableRender {
   enum class Stage : std::uint8_t { none, first, refining, finished };
   struct Tile {
     Stage stage = Stage::none;
-    std::uint16_t unfinished = 0;            // of its pixels
-    std::unique_ptr<Refinement> refinement;  // while it is refining
+    std::uint16_t unfinished = 0;                // of its pixels
+    std::unique_ptr<TileRefinement> refinement;  // while it is refining
   };
   // What each thread has to itself.
   struct Thread;

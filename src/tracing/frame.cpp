@@ -38,9 +38,9 @@ FrameCamera make_camera(const Scene& scene, const TracingOptions& options) {
   camera.focus_distance = static_cast<float>(c.focus_distance);
   camera.shutter_open = static_cast<float>(c.shutter_open);
   camera.shutter_length = static_cast<float>(c.shutter_close - c.shutter_open);
-  const bool one_ray = options.rays_per_pixel <= 1;
-  camera.pixel_width = one_ray ? 0.0f : 1.0f;
-  camera.pixel_offset = options.course ? (one_ray ? 0.0f : -0.5f) : (one_ray ? 0.5f : 0.0f);
+  const bool one_place = options.rays_per_pixel <= 1 || !options.antialiasing;
+  camera.pixel_width = one_place ? 0.0f : 1.0f;
+  camera.pixel_offset = options.course ? (one_place ? 0.0f : -0.5f) : (one_place ? 0.5f : 0.0f);
   return camera;
 }
 
@@ -112,12 +112,16 @@ double largest_color(const Scene& scene) {
 }  // namespace
 
 Frame make_frame(const Scene& scene, const TracingOptions& options, int threads) {
-  Frame frame;
   WorldOptions world_options;
   world_options.shutter_open = scene.camera.shutter_open;
   world_options.shutter_close = scene.camera.shutter_close;
   world_options.threads = threads;
-  frame.world = build_world(scene, world_options);
+  return make_frame(scene, options, build_world(scene, world_options));
+}
+
+Frame make_frame(const Scene& scene, const TracingOptions& options, World world) {
+  Frame frame;
+  frame.world = std::move(world);
   frame.camera = make_camera(scene, options);
   set3(frame.background, scene.background);
   bool any_area = false;

@@ -22,6 +22,7 @@ struct TracingOptions {
   int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
   bool regular_lights = false;  // area lights are sampled at a fixed regular set
   bool course = false;          // the course's pixel corners
+  bool antialiasing = true;     // else every ray goes through the place of a single one
   bool shadows = true;
   bool transparent_shadows = false;
   LensModel lens_model = LensModel::thin;
@@ -86,5 +87,8 @@ struct Frame {
 // Compiles the scene for the given options; the world is built for the scene's shutter.
 // Throws std::runtime_error where build_world does.
 Frame make_frame(const Scene& scene, const TracingOptions& options, int threads);
+
+// The same with a world that was built for a scene of the same objects and the same shutter.
+Frame make_frame(const Scene& scene, const TracingOptions& options, World world);
 
 }  // namespace penumbra

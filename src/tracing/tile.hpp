@@ -16,6 +16,7 @@ struct TileRenderer {
   const FilmView& film;
   const TileSamples& tile;
   RayCounts& counts;
+  RayRecorder* recorder = nullptr;
   PatternChoice pattern = frame.pattern_choice();
 
   // Traces the samples of one packet into `sums`.
@@ -24,7 +25,7 @@ struct TileRenderer {
     const Sampler sampler(pattern, pixel, first, samples_per_pixel);
     const Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
     counts.camera += static_cast<std::uint64_t>(count(active));
-    const TraceContext context{frame, sampler, counts};
+    const TraceContext context{frame, sampler, counts, recorder};
     FirstHits first_hits;
     const bool wants_first = film.depth || film.normal || film.albedo;
     const Float3 color = trace(context, rays, active, 0, tree_root, wants_first ? &first_hits : nullptr);

@@ -13,6 +13,7 @@
 #include "tracing/kernel.hpp"
 #include "tracing/light.hpp"
 #include "tracing/material.hpp"
+#include "tracing/record.hpp"
 #include "tracing/spread.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
@@ -33,6 +34,7 @@ struct TraceContext {
   const Frame& frame;
   const Sampler& sampler;
   RayCounts& counts;
+  RayRecorder* recorder = nullptr;
 };
 
 // The place of a ray in its tree, as a hash; the eye ray's is the root.
@@ -113,7 +115,7 @@ inline Floats highlight(const Material& material, Float3 normal, Float3 toward_l
 
 // The light that arrives from the lights. `shading` is the normal for N.L, `facing` the one on the viewer's side.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                           Float3 shading, Float3 facing, TreePlace place) {
+                           Float3 shading, Float3 facing, int depth, TreePlace place) {
   const TracingOptions& options = c.frame.options;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
@@ -121,7 +123,8 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   shadow.time = rays.time;
   shadow.origin = hits.point + facing * (hits.magnitude * Floats(surface_offset));
   shadow.nearest = hits.magnitude * Floats(blind_distance);
-  const auto from_point = [&](const FrameLight& light, Pair random) {
+  const auto from_point = [&](std::uint32_t number, Pair random) {
+    const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
     const Floats cosine = max(dot(shading, sample.toward), zero);
     Mask lit = hits.found;
@@ -133,7 +136,12 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       shadow.direction = sample.toward;
       shadow.coherent = light.kind != LightKind::disk && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
+      if (c.recorder) [[unlikely]]
+        c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
       lit &= visible > zero;
+    } else if (c.recorder) [[unlikely]] {
+      shadow.direction = sample.toward;
+      c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
     }
     if (none(lit)) return Float3{zero, zero, zero};
     Float3 reflected = material.diffuse * cosine;
@@ -144,13 +152,15 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   };
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
-    const FrameLight& light = c.frame.lights[number];
-    const bool has_area = light.kind == LightKind::disk;
+    const bool has_area = c.frame.lights[number].kind == LightKind::disk;
     const std::uint32_t points = has_area ? rays_of_hit(options.shadow_rays, place) : 1;
     const Floats share = Floats(1.0f / static_cast<float>(points));
     for (std::uint32_t k = 0; k < points; k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
-      sum += from_point(light, random) * share;
+      const Float3 brought = from_point(number, random) * share;
+      if (c.recorder) [[unlikely]]
+        c.recorder->lit(brought);
+      sum += brought;
     }
   }
   return sum;
@@ -183,7 +193,7 @@ inline Float3 trace_spread(const TraceContext& c, const Rays& rays, const Hits& 
       next.direction = spread(how.direction, how.radius, how.side, sampler, step(place, how.random_step));
     }
     const Sampler sampler = count == 1 ? c.sampler : c.sampler.descending(k, count);
-    sum += trace({c.frame, sampler, c.counts}, next, active, depth + 1, next_place, nullptr);
+    sum += trace({c.frame, sampler, c.counts, c.recorder}, next, active, depth + 1, next_place, nullptr);
   }
   return sum * Floats(1.0f / static_cast<float>(count));
 }
@@ -209,6 +219,8 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const Float3 mirror = normalize(reflect(rays.direction, facing));
     const Spreading spreading{mirror, material.any_gloss, material.gloss_radius, facing, step_gloss, step_reflection};
     const std::uint32_t count = rays_of_hit(c.frame.options.reflection_rays, place);
+    if (c.recorder) [[unlikely]]
+      c.recorder->announce(RayKind::reflection, reflection, count, depth);
     sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
     c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
   }
@@ -216,6 +228,8 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const Spreading spreading{refracted, material.any_blur, material.blur_radius,
                               -facing,   step_blur,         step_transmission};
     const std::uint32_t count = rays_of_hit(c.frame.options.transmission_rays, place);
+    if (c.recorder) [[unlikely]]
+      c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
     sum +=
         keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
     c.counts.transmission += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
@@ -229,7 +243,13 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   const Hits hits = intersect(c.frame.world, rays, Floats(__builtin_inff()), active);
   Float3 color = keep(active & ~hits.found, broadcast3(c.frame.background));
   if (first) first->found = hits.found;
-  if (none(hits.found)) return color;
+  if (c.recorder) [[unlikely]]
+    c.recorder->begin(rays, hits, active, depth);
+  if (none(hits.found)) {
+    if (c.recorder) [[unlikely]]
+      c.recorder->end(color, depth);
+    return color;
+  }
 
   const Material material = material_at(c.frame, hits);
   const Mask behind = dot(hits.normal, rays.direction) > Floats(0);
@@ -240,11 +260,16 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
     first->normal = shading;
     first->albedo = material.diffuse;
   }
-  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, shading, facing, place);
+  if (c.recorder) [[unlikely]]
+    c.recorder->surface(material.ambient, shading, depth);
+  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, shading, facing, depth, place);
   if (material.any_reflection && depth < c.frame.options.max_depth) {
     reflected += indirect_light(c, rays, hits, material, facing, ~behind, depth, place);
   }
-  return color + keep(hits.found, reflected);
+  color += keep(hits.found, reflected);
+  if (c.recorder) [[unlikely]]
+    c.recorder->end(color, depth);
+  return color;
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -164,6 +164,16 @@ class LoopCluster:
         return [p for p in everything if p.parent in ids] + shells + \
                [p for p in everything if p.pid in {shell.parent for shell in shells} and "slurmstepd" in p.words[0]]
 
+    def watchers(self):
+        """The processes of Slurm that watch over tasks and may outlive both the task and its node."""
+        def writes_here(process):
+            try:
+                folder = f"/proc/{process.pid}/fd"
+                return any(os.readlink(f"{folder}/{fd}").startswith(f"{self.root}/") for fd in os.listdir(folder))
+            except OSError:
+                return False
+        return [p for p in processes() if p.words[0].startswith("slurmstepd") and writes_here(p)]
+
     def kill_node(self, node):
         """As a power cut does."""
         victims = self.tasks_of(node)
@@ -186,6 +196,8 @@ class LoopCluster:
                 self.daemons[name].wait(timeout=10)
             except subprocess.TimeoutExpired:
                 self.kill(name)
+        for process in self.watchers():
+            process.send(signal.SIGKILL)
 
     def ask(self, *words):
         """What a command of Slurm prints; None where it fails."""

@@ -1,10 +1,10 @@
-#include "app/development.hpp"
+#include "picture/development.hpp"
 
 #include <cstdlib>
 
-#include "app/picture.hpp"
 #include "base/archive.hpp"
 #include "image/limits.hpp"
+#include "picture/picture_options.hpp"
 
 namespace penumbra {
 namespace {
@@ -23,6 +23,7 @@ void exchange(Archive& archive, Self& development) {
     out(entry.first);
     out(entry.second);
   });
+  archive(development.exposure_halves);
   archive(development.bits);
   bool as_course = development.rounding == Rounding::course;
   archive(as_course);
@@ -37,15 +38,14 @@ void exchange(Archive& archive, Self& development) {
         if (std::abs(std::int64_t{number}) > farthest_pixel) throw ArchiveError("there is no such rectangle");
       }
     }
+    if (std::abs(std::int64_t{development.exposure_halves}) > most_exposure_halves) {
+      throw ArchiveError("there is no such exposure");
+    }
     if (development.bits != 8 && development.bits != 16) throw ArchiveError("there is no such number of bits");
   }
 }
 
 }  // namespace
-
-ImageFile develop(const Film& film, const Development& development) {
-  return develop(film, development.full_width, development.full_height, development.rects, development.metadata);
-}
 
 std::string to_bytes(const Development& development) {
   ArchiveWriter archive;

@@ -1,6 +1,8 @@
-#include "app/picture.hpp"
+#include "picture/develop.hpp"
 
 #include <algorithm>
+
+#include "picture/picture_options.hpp"
 
 namespace penumbra {
 namespace {
@@ -30,16 +32,21 @@ void add_layer(ImageFile& file, const std::string& name, const std::string& lett
 
 }  // namespace
 
-ImageFile develop(const Film& film, int full_width, int full_height, const std::vector<PaintedRect>& rects,
-                  Metadata metadata) {
+void expose(Image& image, double exposure) {
+  if (exposure == 1) return;
+  for (float& value : image.rgb) value = static_cast<float>(value * exposure);
+}
+
+ImageFile develop(const Film& film, const Development& development) {
   const Crop& crop = film.crop();
   ImageFile file;
   file.image = {crop.width(), crop.height(), film.color()};
   file.window = {crop.x0, crop.y0, crop.x1, crop.y1};
-  file.full_width = full_width;
-  file.full_height = full_height;
-  file.metadata = std::move(metadata);
-  for (const PaintedRect& rect : rects) paint(file.image, crop, full_height, rect);
+  file.full_width = development.full_width;
+  file.full_height = development.full_height;
+  file.metadata = development.metadata;
+  for (const PaintedRect& rect : development.rects) paint(file.image, crop, development.full_height, rect);
+  expose(file.image, exposure_factor(development.exposure_halves));
   const Layers& layers = film.layers();
   if (layers.depth) add_layer(file, "depth", "Z", film.depth());
   if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());

@@ -1,4 +1,4 @@
-#include "rendering/refinement.hpp"
+#include "rendering/tile_refinement.hpp"
 
 #include "rendering/portion.hpp"
 #include "rendering/saved_sums.hpp"
@@ -14,7 +14,7 @@ ColorSum color_sum(const FilmView& film, std::size_t pixel) {
 }
 
 // False, and nothing done, if it was stopped.
-bool double_samples(int x, int y, PixelNoise& noise, const Refinement::Place& place, RayCounts& counts,
+bool double_samples(int x, int y, PixelNoise& noise, const TileRefinement::Place& place, RayCounts& counts,
                     const RenderState& state) {
   const FilmView view = place.film.view();
   const std::size_t pixel = static_cast<std::size_t>(y - view.y0) * static_cast<std::size_t>(view.width) +
@@ -44,14 +44,14 @@ bool double_samples(int x, int y, PixelNoise& noise, const Refinement::Place& pl
 
 }  // namespace
 
-bool Refinement::go_on(const Place& place, RayCounts& counts, const RenderState& state) {
+bool TileRefinement::go_on(const Place& place, RayCounts& counts, const RenderState& state) {
   do {
     if (!double_due(place, counts, state)) return false;
   } while (mark_due(place.rules));
   return true;
 }
 
-bool Refinement::double_due(const Place& place, RayCounts& counts, const RenderState& state) {
+bool TileRefinement::double_due(const Place& place, RayCounts& counts, const RenderState& state) {
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
       const std::size_t i = index_of(x, y);
@@ -64,7 +64,7 @@ bool Refinement::double_due(const Place& place, RayCounts& counts, const RenderS
 }
 
 // False if no pixel is worth more samples.
-bool Refinement::mark_due(const AdaptiveRules& rules) {
+bool TileRefinement::mark_due(const AdaptiveRules& rules) {
   bool any = false;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
@@ -79,7 +79,7 @@ bool Refinement::mark_due(const AdaptiveRules& rules) {
   return any;
 }
 
-int Refinement::finish(const Place& place, const Crop& crop) const {
+int TileRefinement::finish(const Place& place, const Crop& crop) const {
   int unfinished = 0;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
@@ -95,7 +95,7 @@ int Refinement::finish(const Place& place, const Crop& crop) const {
 }
 
 template <class Archive, class Self>
-void Refinement::exchange(Archive& archive, Self& self) {
+void TileRefinement::exchange(Archive& archive, Self& self) {
   for (auto& noise : self.window_) exchange_noise(archive, noise);
   for (auto& mark : self.marks_) {
     auto number = static_cast<std::uint8_t>(mark);
@@ -107,9 +107,9 @@ void Refinement::exchange(Archive& archive, Self& self) {
   }
 }
 
-void Refinement::write(ArchiveWriter& archive) const { exchange(archive, *this); }
+void TileRefinement::write(ArchiveWriter& archive) const { exchange(archive, *this); }
 
-void Refinement::read(ArchiveReader& archive, const Crop& tile) {
+void TileRefinement::read(ArchiveReader& archive, const Crop& tile) {
   tile_ = tile;
   exchange(archive, *this);
 }

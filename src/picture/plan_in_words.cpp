@@ -1,4 +1,4 @@
-#include "app/plan_in_words.hpp"
+#include "picture/plan_in_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// What turns a finished film into the files of a picture: all but the film itself. A part of a picture carries it.
+// What makes the files of a picture out of its film: all but the film itself. A part of a picture carries it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,6 @@
 #include "image/image.hpp"
 #include "image/quantize.hpp"
 #include "language/scene_file.hpp"
-#include "rendering/film.hpp"
 
 namespace penumbra {
 
@@ -15,11 +14,10 @@ struct Development {
   int full_width = 0, full_height = 0;
   std::vector<PaintedRect> rects;
   Metadata metadata;
+  int exposure_halves = 0;
   int bits = 8;  // for each colour in a PNG
   Rounding rounding = Rounding::nearest;
 };
-
-ImageFile develop(const Film& film, const Development& development);
 
 // As bytes and back. Throws ArchiveError where the bytes cannot be one.
 std::string to_bytes(const Development& development);

@@ -12,7 +12,7 @@
 
 namespace penumbra {
 
-class Refinement {
+class TileRefinement {
  public:
   // What renders the samples, and where they go.
   struct Place {

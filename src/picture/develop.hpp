@@ -1,0 +1,15 @@
+// From a film to the picture a file holds: means, exposure, painted rectangles, layers, metadata.
+#pragma once
+
+#include "image/image.hpp"
+#include "picture/development.hpp"
+#include "rendering/film.hpp"
+
+namespace penumbra {
+
+ImageFile develop(const Film& film, const Development& development);
+
+// Multiplies all colours.
+void expose(Image& image, double exposure);
+
+}  // namespace penumbra

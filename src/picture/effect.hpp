@@ -1,0 +1,43 @@
+// The six effects that come from one mechanism, each of which a picture can do without: the lecture's "with and
+// without".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace penumbra {
+
+enum class Effect : std::uint8_t {
+  antialiasing,  // without: every ray goes through the same place of its pixel
+  lens,          // without: a pinhole
+  motion,        // without: the shutter stays at the moment when it opens
+  disk_lights,   // without: their centres alone shine
+  gloss,         // without: mirrors reflect sharply
+  translucency   // without: what is transmitted is sharp
+};
+
+inline constexpr std::string_view effect_names[] = {"antialiasing", "lens",  "motion",
+                                                    "disk-lights",  "gloss", "translucency"};
+inline constexpr int effect_count = 6;
+
+std::optional<Effect> effect_from_name(std::string_view name);
+
+// A set of effects.
+class Effects {
+ public:
+  bool has(Effect effect) const { return (bits_ >> static_cast<int>(effect)) & 1u; }
+  bool empty() const { return bits_ == 0; }
+  void add(Effect effect) { bits_ |= 1u << static_cast<int>(effect); }
+  void toggle(Effect effect) { bits_ ^= 1u << static_cast<int>(effect); }
+  bool operator==(const Effects&) const = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+// The names, parted by commas.
+std::string to_string(Effects effects);
+
+}  // namespace penumbra

@@ -1,0 +1,68 @@
+// What can be asked of a picture beside its scene, on the command line or in the window, and the scene and the tracing
+// options that come of it. Every option has the same name on the command line and in a picture's metadata.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture/effect.hpp"
+#include "rendering/plan.hpp"
+#include "sampling/pattern.hpp"
+#include "scene/scene.hpp"
+#include "tracing/frame.hpp"
+
+namespace penumbra {
+
+// The radius of one light or surface, counted from 1 in the order of the scene, or of all of them (0).
+struct NumberedRadius {
+  int number = 0;
+  double radius = 0;
+
+  bool operator==(const NumberedRadius&) const = default;
+};
+
+// Options left out are empty: the scene's own word counts then.
+struct PictureOptions {
+  std::optional<int> rays, max_depth;
+  std::optional<int> reflection_rays, transmission_rays, shadow_rays;
+  std::optional<std::uint32_t> seed;
+  std::optional<Pattern> sampler;
+  std::optional<std::pair<int, int>> size;
+  std::optional<Crop> crop;
+  std::optional<double> time;
+  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
+  std::optional<std::pair<double, double>> lens;     // radius, distance of the plane in focus
+  std::optional<std::pair<double, double>> shutter;  // open, close
+  // Later ones win. Gloss is of surfaces that reflect, blur of those that transmit; numbers count all surfaces.
+  std::vector<NumberedRadius> gloss, blur, disk_radius;
+  Effects without;
+  int exposure_halves = 0;  // the picture's brightness is doubled this many times, counted in halves
+  LensModel lens_model = LensModel::thin;
+  bool no_shadows = false, transparent_shadows = false, regular_lights = false;
+  bool course = false, lenient = false;
+
+  bool operator==(const PictureOptions&) const = default;
+};
+
+// The most half steps of exposure, either way.
+inline constexpr int most_exposure_halves = 40;
+
+// The factor of so many half steps: exact, and the same everywhere.
+double exposure_factor(int halves);
+
+// Says which option names a light or a surface that the scene does not have; empty if none does.
+std::string missing_number(const Scene& scene, const PictureOptions& options);
+
+// The scene with what the options say in place of its own words.
+Scene with_options(Scene scene, const PictureOptions& options);
+
+// The course's pictures are of independent random samples, unless the options ask for others.
+Pattern pattern_for(const Scene& scene, const PictureOptions& options);
+
+// For a scene that with_options returned.
+TracingOptions tracing_options(const Scene& scene, const PictureOptions& options);
+
+}  // namespace penumbra

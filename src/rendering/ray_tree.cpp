@@ -1,0 +1,68 @@
+#include "rendering/ray_tree.hpp"
+
+#include <cmath>
+
+namespace penumbra {
+namespace {
+
+struct Keeper {
+  RayTree& tree;
+  std::size_t most;
+
+  static RecordedRay* add(void* self) {
+    auto& keeper = *static_cast<Keeper*>(self);
+    if (keeper.tree.rays.size() >= keeper.most) {
+      keeper.tree.left_out++;
+      return nullptr;
+    }
+    return &keeper.tree.rays.emplace_back();
+  }
+};
+
+}  // namespace
+
+RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
+                     std::size_t most_rays) {
+  RayTree tree;
+  Keeper keeper{tree, most_rays};
+  kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add});
+  return tree;
+}
+
+std::array<float, 3> sum_of(const RayTree& tree, std::size_t number) {
+  const RecordedRay& ray = tree.rays[number];
+  std::array<float, 3> sum{};
+  for (std::size_t c = 0; c < 3; c++) {
+    if (!ray.hit) {
+      sum[c] = ray.came_back[c];
+      continue;
+    }
+    float direct = 0, reflected = 0, transmitted = 0;
+    const RecordedRay* reflection = nullptr;
+    const RecordedRay* transmission = nullptr;
+    for (std::size_t i = number + 1; i < tree.rays.size(); i++) {
+      const RecordedRay& below = tree.rays[i];
+      if (below.parent != static_cast<int>(number)) continue;
+      if (below.kind == RayKind::shadow) direct += below.adds[c];
+      if (below.kind == RayKind::reflection) reflected += below.came_back[c], reflection = &below;
+      if (below.kind == RayKind::transmission) transmitted += below.came_back[c], transmission = &below;
+    }
+    const auto mean = [c](float total, const RecordedRay* of) {
+      return of ? total * (1.0f / static_cast<float>(of->count)) * of->factor[c] : 0.0f;
+    };
+    sum[c] = (ray.ambient[c] + direct) + (mean(reflected, reflection) + mean(transmitted, transmission));
+  }
+  return sum;
+}
+
+std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree) {
+  std::array<float, 3> value{};
+  for (std::size_t c = 0; c < 3; c++) {
+    const float color = tree.rays.front().came_back[c];
+    if (!(std::abs(color) < 3e38f)) continue;
+    value[c] = static_cast<float>(std::nearbyint(double{color} / frame.color_quantum) * frame.color_quantum);
+  }
+  return value;
+}
+
+}  // namespace penumbra

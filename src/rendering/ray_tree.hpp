@@ -1,0 +1,28 @@
+// All rays of one sample: what a pixel saw, and why.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+
+#include "tracing/kernel.hpp"
+
+namespace penumbra {
+
+struct RayTree {
+  std::deque<RecordedRay> rays;  // the eye ray first, every ray after the one whose hit sent it
+  std::uint64_t left_out = 0;    // rays beyond the most that are kept
+};
+
+// Traces sample `sample` of pixel (x, y), for a picture of `count` samples a pixel, as render_samples does.
+RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
+                     std::size_t most_rays = std::size_t{1} << 16);
+
+// The colour of a ray put together again from the rays below it, in the order of tracing/trace.hpp: equal to its
+// `came_back` to the last bit, unless rays were left out.
+std::array<float, 3> sum_of(const RayTree& tree, std::size_t ray);
+
+// What the sample is in the film: its colour, rounded as sums want it.
+std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree);
+
+}  // namespace penumbra

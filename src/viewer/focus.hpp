@@ -1,0 +1,15 @@
+// How far away is what a pixel shows: where to put the plane in focus.
+#pragma once
+
+#include <optional>
+
+#include "tracing/frame.hpp"
+#include "tracing/kernel.hpp"
+
+namespace penumbra {
+
+// The distance along -w of what the ray from the eye through the place (x, y) of the picture, in pixels, hits first
+// when the shutter opens; nothing if it hits nothing.
+std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y);
+
+}  // namespace penumbra

@@ -1,0 +1,116 @@
+#include "viewer/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "picture/metadata.hpp"
+#include "picture/ray_tree_text.hpp"
+
+namespace penumbra {
+namespace {
+
+// Plotting many samples of a scene where each has thousands of rays would hold up the window.
+constexpr std::chrono::milliseconds patience(15);
+constexpr std::size_t most_rays_of_plotted_sample = 1024;
+
+// The coordinate of p along an axis whose length is one unit.
+double along(const float (&axis)[3], const float (&p)[3], const float (&origin)[3]) {
+  double product = 0, square = 0;
+  for (int i = 0; i < 3; i++) {
+    product += (double{p[i]} - origin[i]) * axis[i];
+    square += double{axis[i]} * axis[i];
+  }
+  return square > 0 ? product / square : 0;
+}
+
+class Plotter {
+ public:
+  explicit Plotter(const Frame& frame) : frame_(frame) {
+    pixel_ = add("in the pixel", 0);
+    if (frame.camera.has_lens) lens_ = add("on the lens", -1);
+    if (frame.camera.shutter_length != 0) time_ = add("in time", 0);
+    for (std::size_t i = 0; i < frame.lights.size(); i++) {
+      light_.push_back(frame.lights[i].kind == LightKind::disk ? add(fmt::format("on light {}", i + 1), -1) : -1);
+    }
+  }
+
+  void plot(const RayTree& tree, std::uint32_t sample, float u, float v) {
+    const FrameCamera& camera = frame_.camera;
+    const RecordedRay& eye = tree.rays.front();
+    SampleDot dot;
+    dot.sample = sample;
+    std::copy_n(eye.came_back, 3, dot.color);
+    const bool spread = camera.pixel_width != 0;
+    put(pixel_, dot, spread ? u : 0.5, spread ? v : 0.5);
+    put(lens_, dot, along(camera.lens_u, eye.origin, camera.eye), along(camera.lens_v, eye.origin, camera.eye));
+    if (time_ >= 0) put(time_, dot, (eye.time - camera.shutter_open) / camera.shutter_length, 0.5);
+    for (const RecordedRay& ray : tree.rays) {
+      if (ray.kind != RayKind::shadow || ray.parent != 0) continue;
+      const FrameLight& light = frame_.lights[ray.light];
+      float point[3];
+      for (int i = 0; i < 3; i++) point[i] = ray.origin[i] + ray.direction[i] * ray.light_distance;
+      put(light_[ray.light], dot, along(light.disk_u, point, light.position),
+          along(light.disk_v, point, light.position));
+    }
+  }
+
+  std::vector<DotPlot> take() { return std::move(plots_); }
+
+ private:
+  int add(std::string name, double low) {
+    plots_.push_back({std::move(name), low, {}});
+    return static_cast<int>(plots_.size()) - 1;
+  }
+  void put(int plot, SampleDot dot, double u, double v) {
+    if (plot < 0) return;
+    dot.u = u;
+    dot.v = v;
+    plots_[static_cast<std::size_t>(plot)].dots.push_back(dot);
+  }
+
+  const Frame& frame_;
+  std::vector<DotPlot> plots_;
+  int pixel_ = -1, lens_ = -1, time_ = -1;
+  std::vector<int> light_;
+};
+
+std::string command_for(const Refinement& picture, const RefinedSide& side, const InspectedSample& at) {
+  Scene scene = *side.scene;
+  scene.rays_per_pixel = static_cast<int>(picture.rays);
+  PictureOptions options = side.options;
+  options.exposure_halves = 0;
+  std::string command = "penumbra render " + picture.loaded->path.string();
+  for (const auto& [key, value] : metadata_for(picture.loaded->path, scene, options)) {
+    if (key == "scene" || key == "version") continue;
+    command += value == "yes" ? " --" + key : fmt::format(" --{} {}", key, value);
+  }
+  return command + fmt::format(" --debug-pixel {},{},{}", at.x, at.y, at.sample);
+}
+
+}  // namespace
+
+Inspection inspect(const Refinement& picture, const Kernel& kernel, const InspectedSample& at) {
+  const RefinedSide& side = picture.sides[static_cast<std::size_t>(at.side)];
+  const Frame& frame = *side.frame;
+  Inspection inspection;
+  inspection.at = at;
+  inspection.tree = trace_sample(frame, kernel, at.x, at.y, at.sample, picture.rays);
+  inspection.text = ray_tree_text(frame, inspection.tree, at.x, at.y, at.sample);
+  inspection.command = command_for(picture, side, at);
+
+  const auto end = std::chrono::steady_clock::now() + patience;
+  const std::uint32_t most = std::min(picture.rays, most_plotted_samples);
+  std::vector<float> u(most), v(most);
+  kernel.sample_points(frame, at.x, at.y, pixel_x, u, v);
+  Plotter plotter(frame);
+  while (inspection.shown < most && std::chrono::steady_clock::now() < end) {
+    const std::uint32_t i = inspection.shown++;
+    plotter.plot(trace_sample(frame, kernel, at.x, at.y, i, picture.rays, most_rays_of_plotted_sample), i, u[i], v[i]);
+  }
+  inspection.plots = plotter.take();
+  return inspection;
+}
+
+}  // namespace penumbra

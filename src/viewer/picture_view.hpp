@@ -1,0 +1,50 @@
+// Where the picture lies in the window: zoom and pan. Pixels of the window and of the picture; places are from the top
+// left.
+#pragma once
+
+#include <optional>
+
+namespace penumbra {
+
+struct PlaceInWindow {
+  double x = 0, y = 0;
+};
+
+struct WindowArea {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class PictureView {
+ public:
+  // The part of the window where the picture may be. Until the user moves it, the picture is in the middle of it, as
+  // large as a whole zoom allows.
+  void set_area(const WindowArea& area);
+  void set_picture_size(int width, int height);
+  void fit();
+
+  void pan(double dx, double dy);
+  // To the next larger or smaller zoom; what is at `place` stays there.
+  void zoom(int steps, PlaceInWindow place);
+
+  double zoom_factor() const { return zoom_; }
+  // The picture's rectangle; always whole pixels.
+  WindowArea picture() const;
+  // The pixel at a place of the window, if it is one of the picture's.
+  struct Pixel {
+    int x = 0, y = 0;
+    bool operator==(const Pixel&) const = default;
+  };
+  std::optional<Pixel> pixel_at(PlaceInWindow place) const;
+  // Where a place of the picture is in the window.
+  PlaceInWindow in_window(double x, double y) const;
+  const WindowArea& area() const { return area_; }
+
+ private:
+  WindowArea area_;
+  int width_ = 0, height_ = 0;
+  double zoom_ = 1;
+  double x_ = 0, y_ = 0;  // of the picture's top left corner
+  bool moved_ = false;
+};
+
+}  // namespace penumbra

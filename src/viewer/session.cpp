@@ -1,0 +1,344 @@
+#include "viewer/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/atomic_file.hpp"
+#include "viewer/focus.hpp"
+#include "viewer/save_picture.hpp"
+#include "viewer/scene_folder.hpp"
+#include "viewer/scene_lines.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::chrono::milliseconds look_interval(25);
+// A file that is written again and again is read all the same.
+constexpr std::chrono::milliseconds longest_freshness(100);
+constexpr std::chrono::seconds message_duration(4);
+
+void set_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
+  std::erase_if(radii, [number](const NumberedRadius& r) { return r.number == number; });
+  radii.push_back({number, radius});
+}
+
+}  // namespace
+
+Session::Session(const SessionOptions& options, std::function<void()> notify)
+    : folder_(folder_of(options.given)),
+      save_folder_(options.save_folder),
+      command_line_(options.picture),
+      kernel_(options.kernel),
+      refiner_(*options.kernel, options.threads, std::move(notify)) {
+  exposure_halves_ = command_line_.exposure_halves;
+  command_line_.exposure_halves = 0;
+  const std::filesystem::path first = first_scene(options.given);
+  open(first.empty() ? scene_of_key(folder_, 1, false) : first);
+}
+
+void Session::open(const std::filesystem::path& scene) {
+  path_ = scene;
+  sides_.assign(2, command_line_);
+  limit_ = static_cast<std::uint32_t>(command_line_.rays.value_or(0));
+  for (PictureOptions& side : sides_) side.rays.reset();
+  if (split_) set_split(true);
+  show(true);
+}
+
+void Session::show(bool read_again) {
+  RefineTask task;
+  task.path = path_;
+  if (!read_again && !reading_ && loaded_ && loaded_->path == path_) task.loaded = loaded_;
+  reading_ = !task.loaded;
+  if (reading_) watched_ = {stamp_of(path_, {})};
+  task.sides.assign(sides_.begin(), sides_.begin() + side_count());
+  task.limit = limit_;
+  task_ = refiner_.show(std::move(task));
+}
+
+bool Session::poll() {
+  bool changed = false;
+  const RefinerNews news = refiner_.take();
+  if (news.loaded) {
+    note(*news.loaded);
+    if (news.loaded->scene) {
+      loaded_ = news.loaded;
+      forget_missing_numbers();
+    }
+    changed = true;
+  }
+  if (news.picture) {
+    picture_ = news.picture;
+    const RefinedSide& side = picture_->sides.front();
+    view_.set_picture_size(side.image.width, side.image.height);
+    inspect_again();
+    changed = true;
+  }
+  if (!news.failure.empty()) {
+    error_ = fmt::format("{}: {}", path_.string(), news.failure);
+    changed = true;
+  }
+  const Clock::time_point now = Clock::now();
+  if (!message_.empty() && now > message_end_) {
+    message_.clear();
+    changed = true;
+  }
+  if (!reading_ && now >= next_look_) {
+    look_at_files(now);
+  }
+  return changed;
+}
+
+void Session::look_at_files(Clock::time_point now) {
+  next_look_ = now + look_interval;
+  const FileChange change = change_of(watched_);
+  if (change != FileChange::fresh) fresh_since_ = now;
+  if (change == FileChange::fresh && now < fresh_since_ + longest_freshness) {
+    next_look_ = now + std::chrono::milliseconds(5);
+  } else if (change != FileChange::none) {
+    fresh_since_ = now;
+    show(true);
+  }
+}
+
+void Session::forget_missing_numbers() {
+  const Scene& scene = *loaded_->scene;
+  const auto keep = [](std::vector<NumberedRadius>& radii, std::size_t count) {
+    std::erase_if(radii, [count](const NumberedRadius& r) { return static_cast<std::size_t>(r.number) > count; });
+  };
+  for (PictureOptions& side : sides_) {
+    keep(side.gloss, scene.surfaces.size());
+    keep(side.blur, scene.surfaces.size());
+    keep(side.disk_radius, scene.lights.size());
+  }
+}
+
+void Session::note(const LoadedScene& loaded) {
+  reading_ = false;
+  watched_ = loaded.files;
+  next_look_ = Clock::now() + look_interval;
+  error_.clear();
+  error_line_ = 0;
+  for (const Diagnostic& diagnostic : loaded.diagnostics) {
+    if (diagnostic.severity != Severity::error) continue;
+    if (error_line_ == 0) error_line_ = diagnostic.line;
+    error_ += to_string(diagnostic);
+  }
+}
+
+void Session::say(std::string message) {
+  message_ = std::move(message);
+  message_end_ = Clock::now() + message_duration;
+}
+
+void Session::obey(const ViewCommand& command, PlaceInWindow cursor) {
+  switch (command.kind) {
+    case ViewCommandKind::none:
+    case ViewCommandKind::copy:
+      break;
+    case ViewCommandKind::step_sample:
+      step_sample(command.number);
+      break;
+    case ViewCommandKind::load_scene:
+      open(scene_of_key(folder_, command.number, command.twin));
+      break;
+    case ViewCommandKind::help:
+      help_ = !help_;
+      break;
+    case ViewCommandKind::pause:
+      paused_ = !paused_;
+      refiner_.pause(paused_);
+      break;
+    case ViewCommandKind::restart:
+      show(true);
+      break;
+    case ViewCommandKind::save:
+      save();
+      break;
+    case ViewCommandKind::focus:
+      focus(cursor);
+      break;
+    case ViewCommandKind::split:
+      set_split(!split_);
+      show(false);
+      break;
+    case ViewCommandKind::brighter:
+      exposure_halves_ = std::min(exposure_halves_ + 1, most_exposure_halves);
+      break;
+    case ViewCommandKind::darker:
+      exposure_halves_ = std::max(exposure_halves_ - 1, -most_exposure_halves);
+      break;
+    case ViewCommandKind::next_sampler:
+      if (loaded_) {
+        const int side = side_count() - 1;
+        const int next = (static_cast<int>(sampler(side)) + 1) % static_cast<int>(std::size(pattern_names));
+        set_sampler(side, static_cast<Pattern>(next));
+      }
+      break;
+    case ViewCommandKind::toggle_effect:
+      toggle_effect(side_count() - 1, command.effect);
+      break;
+    case ViewCommandKind::more_rays:
+      change_rays(true);
+      break;
+    case ViewCommandKind::fewer_rays:
+      change_rays(false);
+      break;
+    case ViewCommandKind::quit:
+      quit_ = true;
+      break;
+  }
+}
+
+void Session::save() {
+  if (!picture_) return say("there is no picture to save yet");
+  try {
+    std::string names;
+    for (const std::filesystem::path& file : save_picture(*picture_, exposure_halves_, save_folder_)) {
+      names += (names.empty() ? "" : " and ") + file.filename().string();
+    }
+    say(fmt::format("saved {} with {} rays per pixel", names, picture_->rays));
+  } catch (const FileError& e) {
+    say(e.what());
+  }
+}
+
+void Session::focus(PlaceInWindow cursor) {
+  const auto pixel = view_.pixel_at(cursor);
+  if (!picture_ || !pixel || !loaded_) return say("F focuses at the cursor: point at the picture");
+  const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
+  const double middle = frame.options.course ? 0.0 : 0.5;
+  const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
+  if (!distance) return say("there is nothing at the cursor to focus at");
+  const double radius = knobs().lens_radius;
+  set_lens(radius, *distance);
+  say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so all is sharp" : ""));
+}
+
+int Session::side_of(PictureView::Pixel pixel) const {
+  const bool right = picture_->sides.size() > 1 && pixel.x >= divider_ * picture_->sides[0].image.width;
+  return right ? 1 : 0;
+}
+
+void Session::inspect_at(PlaceInWindow place) {
+  const auto pixel = view_.pixel_at(place);
+  if (!picture_ || !pixel) return inspection_.reset();
+  const InspectedSample at{side_of(*pixel), pixel->x, pixel->y, 0};
+  const bool again = inspection_ && inspection_->at.x == at.x && inspection_->at.y == at.y;
+  if (again) return inspection_.reset();
+  inspection_ = inspect(*picture_, *kernel_, at);
+}
+
+void Session::step_sample(int by) {
+  if (!inspection_) return;
+  InspectedSample at = inspection_->at;
+  at.sample = static_cast<std::uint32_t>(
+      std::clamp<std::int64_t>(std::int64_t{at.sample} + by, 0, std::int64_t{picture_->rays} - 1));
+  if (at != inspection_->at) inspection_ = inspect(*picture_, *kernel_, at);
+}
+
+// The picture is another one: with more samples, of other settings, of another scene.
+void Session::inspect_again() {
+  if (!inspection_) return;
+  InspectedSample at = inspection_->at;
+  const Image& image = picture_->sides.front().image;
+  if (at.x >= image.width || at.y >= image.height) return inspection_.reset();
+  at.sample = std::min(at.sample, picture_->rays - 1);
+  at.side = side_of({at.x, at.y});
+  inspection_ = inspect(*picture_, *kernel_, at);
+}
+
+void Session::set_split(bool split) {
+  split_ = split;
+  if (!split) return;
+  // Something to compare: independent random samples, or what is usual instead of them.
+  sides_[1] = sides_[0];
+  const bool random = loaded_ && pattern_for(*loaded_->scene, sides_[0]) == Pattern::random;
+  sides_[1].sampler = random ? default_pattern : Pattern::random;
+}
+
+void Session::change_rays(bool more) {
+  if (!loaded_) return;
+  const auto now = limit_ > 0 ? limit_ : static_cast<std::uint32_t>(loaded_->scene->rays_per_pixel);
+  set_limit(more ? std::min(now * 2, 1u << 24) : std::max(now / 2, 1u));
+}
+
+void Session::set_limit(std::uint32_t rays) {
+  limit_ = rays;
+  refiner_.set_limit(rays);
+}
+
+Knobs Session::knobs() const {
+  PictureOptions options = sides_[0];
+  options.without = {};
+  const Scene scene = loaded_ ? with_options(*loaded_->scene, options) : Scene{};
+  const Camera& camera = scene.camera;
+  return {camera.lens_radius,
+          camera.focus_distance,
+          camera.shutter_open,
+          camera.shutter_close,
+          scene.seed,
+          scene.max_depth,
+          limit_};
+}
+
+template <typename Change>
+void Session::change_sides(Change&& change) {
+  for (PictureOptions& side : sides_) change(side);
+  show(false);
+}
+
+void Session::set_lens(double radius, double distance) {
+  change_sides([=](PictureOptions& o) { o.lens = {radius, distance}; });
+}
+void Session::set_shutter(double open, double close) {
+  change_sides([=](PictureOptions& o) { o.shutter = {open, std::max(open, close)}; });
+}
+void Session::set_seed(std::uint32_t seed) {
+  change_sides([=](PictureOptions& o) { o.seed = seed; });
+}
+void Session::set_max_depth(int depth) {
+  change_sides([=](PictureOptions& o) { o.max_depth = depth; });
+}
+void Session::set_gloss(int surface, double radius) {
+  change_sides([=](PictureOptions& o) { set_radius(o.gloss, surface, radius); });
+}
+void Session::set_blur(int surface, double radius) {
+  change_sides([=](PictureOptions& o) { set_radius(o.blur, surface, radius); });
+}
+void Session::set_disk_radius(int light, double radius) {
+  change_sides([=](PictureOptions& o) { set_radius(o.disk_radius, light, radius); });
+}
+
+void Session::set_sampler(int side, Pattern pattern) {
+  sides_[static_cast<std::size_t>(side)].sampler = pattern;
+  show(false);
+}
+
+void Session::toggle_effect(int side, Effect effect) {
+  sides_[static_cast<std::size_t>(side)].without.toggle(effect);
+  show(false);
+}
+
+void Session::forget_changes() {
+  const bool split = split_;
+  split_ = false;
+  sides_.assign(2, command_line_);
+  for (PictureOptions& side : sides_) side.rays.reset();
+  limit_ = static_cast<std::uint32_t>(command_line_.rays.value_or(0));
+  if (split) set_split(true);
+  show(false);
+}
+
+void Session::set_divider(double share) { divider_ = std::clamp(share, 0.0, 1.0); }
+
+std::string Session::changed_lines() const {
+  if (!loaded_) return {};
+  PictureOptions options = sides_[0];
+  if (limit_ > 0) options.rays = static_cast<int>(limit_);
+  return penumbra::changed_lines(*loaded_->scene, options);
+}
+
+}  // namespace penumbra

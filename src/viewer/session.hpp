@@ -1,0 +1,136 @@
+// Everything the window knows but how to draw it: the scene, what was changed of it, the picture so far, what went
+// wrong. Commands and knobs come in, news of the Refiner is taken at `poll`; nothing here waits.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viewer/command.hpp"
+#include "viewer/inspection.hpp"
+#include "viewer/picture_view.hpp"
+#include "viewer/refiner.hpp"
+
+namespace penumbra {
+
+struct SessionOptions {
+  std::filesystem::path given;  // a scene or a folder
+  std::filesystem::path save_folder = ".";
+  PictureOptions picture;  // of the command line
+  int threads = 1;
+  const Kernel* kernel = nullptr;
+};
+
+// The knobs of a panel: what the scene says, with what was changed.
+struct Knobs {
+  double lens_radius, focus_distance;
+  double shutter_open, shutter_close;
+  std::uint32_t seed;
+  int max_depth;
+  std::uint32_t limit;  // rays per pixel; 0: as many as there is time for
+};
+
+class Session {
+ public:
+  Session(const SessionOptions& options, std::function<void()> notify);
+
+  // Takes the news and looks at the files. True if anything is to be drawn anew.
+  bool poll();
+  // `cursor`: where the mouse is. Copying is left to the caller, who has the clipboard.
+  void obey(const ViewCommand& command, PlaceInWindow cursor);
+  // Looks into the pixel at a place of the window, or at none if it is the same again or outside the picture.
+  void inspect_at(PlaceInWindow place);
+  bool wants_to_quit() const { return quit_; }
+  // False if something cannot be stopped within this time.
+  bool close(std::chrono::milliseconds patience) { return refiner_.close(patience); }
+
+  void open(const std::filesystem::path& scene);
+
+  // Knobs. Each change draws the picture anew.
+  const Scene* scene() const { return loaded_ ? loaded_->scene.get() : nullptr; }  // as read; null before the first
+  Knobs knobs() const;
+  void set_lens(double radius, double distance);
+  void set_shutter(double open, double close);
+  void set_seed(std::uint32_t seed);
+  void set_max_depth(int depth);
+  void set_limit(std::uint32_t rays);
+  void set_gloss(int surface, double radius);
+  void set_blur(int surface, double radius);
+  void set_disk_radius(int light, double radius);
+  void set_sampler(int side, Pattern pattern);
+  void toggle_effect(int side, Effect effect);
+  void forget_changes();
+  // With the options of one side.
+  Scene changed_scene(int side) const { return with_options(*loaded_->scene, options(side)); }
+  Pattern sampler(int side) const { return pattern_for(*loaded_->scene, options(side)); }
+  const PictureOptions& options(int side) const { return sides_[static_cast<std::size_t>(side)]; }
+
+  // What to draw.
+  const std::filesystem::path& path() const { return path_; }
+  const std::shared_ptr<const Refinement>& picture() const { return picture_; }  // the last good one; may be null
+  bool picture_is_current() const { return picture_ && picture_->task == task_; }
+  const std::string& error() const { return error_; }  // to be shown over the picture; empty for none
+  int error_line() const { return error_line_; }       // 0: none
+  const std::string& message() const { return message_; }
+  void say(std::string message);
+  bool help() const { return help_; }
+  bool paused() const { return paused_; }
+  bool split() const { return split_; }
+  int side_count() const { return split_ ? 2 : 1; }
+  double divider() const { return divider_; }  // share of the picture's width
+  void set_divider(double share);
+  int exposure_halves() const { return exposure_halves_; }
+  PictureView& view() { return view_; }
+  const PictureView& view() const { return view_; }
+  std::string changed_lines() const;
+  const std::optional<Inspection>& inspection() const { return inspection_; }
+  const Kernel& kernel() const { return *kernel_; }
+  std::uint64_t task() const { return task_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show(bool read_again);
+  void save();
+  void focus(PlaceInWindow cursor);
+  void set_split(bool split);
+  void change_rays(bool more);
+  void step_sample(int by);
+  void inspect_again();
+  // The side of the split view that a pixel belongs to.
+  int side_of(PictureView::Pixel pixel) const;
+  void note(const LoadedScene& loaded);
+  void look_at_files(Clock::time_point now);
+  // A scene that was read again may have fewer lights and surfaces.
+  void forget_missing_numbers();
+  template <typename Change>
+  void change_sides(Change&& change);
+
+  std::filesystem::path folder_, save_folder_;
+  PictureOptions command_line_;
+  const Kernel* kernel_;
+
+  std::filesystem::path path_;
+  std::shared_ptr<const LoadedScene> loaded_;  // the last one without errors
+  std::vector<FileStamp> watched_;
+  Clock::time_point next_look_{}, fresh_since_{};
+  bool reading_ = false;
+  std::vector<PictureOptions> sides_;  // left and right; the right one counts in the split view only
+  std::uint32_t limit_ = 0;
+  bool split_ = false, paused_ = false, help_ = false, quit_ = false;
+  double divider_ = 0.5;
+  int exposure_halves_ = 0;
+  std::string error_, message_;
+  int error_line_ = 0;
+  Clock::time_point message_end_{};
+  PictureView view_;
+
+  std::uint64_t task_ = 0;
+  std::shared_ptr<const Refinement> picture_;
+  std::optional<Inspection> inspection_;
+  Refiner refiner_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,30 @@
+// The mouse over the picture: drag to pan, wheel to zoom, drag the divider of the split view, click to inspect.
+#pragma once
+
+#include <SDL.h>
+
+#include <optional>
+
+#include "viewer/session.hpp"
+
+namespace penumbra {
+
+class Mouse {
+ public:
+  void handle(Session& session, const SDL_Event& event);
+  PlaceInWindow cursor() const { return cursor_; }
+  // The place of a click that was neither a drag nor outside the picture's part of the window; once for each.
+  std::optional<PlaceInWindow> take_click() { return std::exchange(click_, std::nullopt); }
+
+ private:
+  enum class Dragging { nothing, press, picture, divider };
+
+  void press(const Session& session);
+  void move(Session& session, PlaceInWindow to);
+
+  PlaceInWindow cursor_, pressed_;
+  Dragging dragging_ = Dragging::nothing;
+  std::optional<PlaceInWindow> click_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,22 @@
+// The knobs of the scene, at the right of the picture. Every change draws the picture anew, at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viewer/session.hpp"
+
+namespace penumbra {
+
+inline constexpr int panel_width = 280;  // pixels
+
+// Where a knob is: the middle of what can be dragged or clicked.
+struct KnobPlace {
+  std::string label;
+  int x = 0, y = 0;
+};
+
+// Returns the places of all knobs.
+std::vector<KnobPlace> draw_panel(Session& session, int window_width, int window_height);
+
+}  // namespace penumbra

@@ -1,0 +1,68 @@
+#include "viewer/window/report.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "viewer/window/overlay.hpp"
+
+namespace penumbra {
+
+Report::Report(const std::filesystem::path& file) {
+  if (!file.empty()) file_.open(file, std::ios::app);
+}
+
+void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events,
+                   const std::vector<KnobPlace>& knob_places, bool typing) {
+  if (!file_.is_open()) return;
+  const auto& picture = session.picture();
+  const Knobs knobs = session.knobs();
+  const WindowArea place = session.view().picture();
+  nlohmann::ordered_json line = {
+      {"frame", ++frames_},
+      {"time", std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()},
+      {"events", events},
+      {"scene", session.path().string()},
+      {"task", session.task()},
+      {"picture_task", picture ? picture->task : 0},
+      {"rays", picture ? picture->rays : 0},
+      {"done", picture && picture->done},
+      {"seconds", picture ? picture->seconds : 0},
+      {"error", session.error()},
+      {"error_line", session.error_line()},
+      {"message", session.message()},
+      {"status", status_line(session)},
+      {"help", session.help()},
+      {"typing", typing},
+      {"paused", session.paused()},
+      {"split", session.split()},
+      {"divider", session.divider()},
+      {"exposure", session.exposure_halves() / 2.0},
+      {"limit", knobs.limit},
+      {"lens", {knobs.lens_radius, knobs.focus_distance}},
+      {"shutter", {knobs.shutter_open, knobs.shutter_close}},
+      {"seed", knobs.seed},
+      {"max_depth", knobs.max_depth},
+      {"window", {window_width, window_height}},
+      {"picture", {place.x, place.y, place.width, place.height}},
+      {"zoom", session.view().zoom_factor()},
+      {"changed", session.changed_lines()},
+  };
+  if (const auto& inspection = session.inspection()) {
+    const InspectedSample& at = inspection->at;
+    line["inspection"] = {
+        {"side", at.side},          {"pixel", {at.x, at.y}},          {"sample", at.sample},
+        {"text", inspection->text}, {"command", inspection->command}, {"plots", inspection->plots.size()}};
+  }
+  auto& places = line["knobs"] = nlohmann::ordered_json::object();
+  for (const KnobPlace& knob : knob_places) places[knob.label] = {knob.x, knob.y};
+  auto& sides = line["sides"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; picture && i < picture->sides.size(); i++) {
+    const RefinedSide& side = picture->sides[i];
+    sides.push_back({{"sampler", pattern_names[static_cast<int>(side.frame->options.pattern)]},
+                     {"without", to_string(side.options.without)},
+                     {"estimated_error", side.error ? nlohmann::ordered_json(*side.error) : nullptr}});
+  }
+  file_ << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n' << std::flush;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,25 @@
+// What the window shows, as lines of JSON for tests and measurements: one after each frame that is presented.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+
+#include "viewer/session.hpp"
+#include "viewer/window/panel.hpp"
+
+namespace penumbra {
+
+class Report {
+ public:
+  // Appends to `file`; an empty name reports nothing.
+  explicit Report(const std::filesystem::path& file);
+
+  void frame(const Session& session, int window_width, int window_height, std::uint64_t events,
+             const std::vector<KnobPlace>& knobs, bool typing);
+
+ private:
+  std::ofstream file_;
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,174 @@
+#include "viewer/window/run_window.hpp"
+
+#include <backends/imgui_impl_sdl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+
+#include "viewer/input_map.hpp"
+#include "viewer/window/inspector.hpp"
+#include "viewer/window/mouse.hpp"
+#include "viewer/window/overlay.hpp"
+#include "viewer/window/panel.hpp"
+#include "viewer/window/picture_layer.hpp"
+#include "viewer/window/report.hpp"
+#include "viewer/window/sdl_window.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::chrono::milliseconds longest_wait(25);
+// Dear ImGui answers to some events a frame or two later. Those frames do not hurry: drawing takes time from rendering.
+constexpr int frames_after_event = 2;
+constexpr std::chrono::milliseconds settle_interval(30);
+// An event that asks for another picture is answered with that picture, if it comes soon.
+constexpr std::chrono::milliseconds wait_for_picture(40);
+constexpr std::chrono::milliseconds patience_at_end(100);
+
+// Lets other threads end the wait for events, once for all news that is not taken yet.
+class Wakeup {
+ public:
+  Wakeup() : event_(SDL_RegisterEvents(1)) {}
+
+  void call() {
+    if (called_.exchange(true)) return;
+    SDL_Event event{};
+    event.type = event_;
+    SDL_PushEvent(&event);
+  }
+  bool is(const SDL_Event& event) const { return event.type == event_; }
+  void heard() { called_ = false; }
+
+ private:
+  std::uint32_t event_;
+  std::atomic<bool> called_{false};
+};
+
+class WindowLoop {
+ public:
+  WindowLoop(const SessionOptions& session_options, const WindowOptions& options)
+      : window_("Penumbra", options.width, options.height),
+        report_(options.report),
+        session_(session_options, [this] { wakeup_.call(); }) {}
+
+  void run() {
+    while (!session_.wants_to_quit()) {
+      wait_for_events();
+      if (session_.poll()) draw_at(Clock::now());
+      if (Clock::now() >= next_draw_) draw();
+    }
+  }
+
+  bool close() { return session_.close(patience_at_end); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void wait_for_events() {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(next_draw_ - Clock::now());
+    const auto wait = std::clamp<std::chrono::milliseconds>(left, std::chrono::milliseconds(0), longest_wait);
+    SDL_Event event;
+    const std::uint64_t task = session_.task();
+    const bool any = SDL_WaitEventTimeout(&event, static_cast<int>(wait.count())) != 0;
+    bool more = any;
+    while (more) {
+      if (wakeup_.is(event)) {
+        wakeup_.heard();
+      } else {
+        handle(event);
+        frames_to_settle_ = frames_after_event;
+        draw_at(Clock::now() + (session_.task() == task ? std::chrono::milliseconds(0) : wait_for_picture));
+      }
+      // A field that is typed in has to see a key go down in one frame and up in another.
+      if (event.type == SDL_KEYDOWN && ImGui::GetIO().WantTextInput) return draw_at(Clock::now());
+      more = SDL_PollEvent(&event) != 0;
+    }
+  }
+
+  void draw_at(Clock::time_point time) { next_draw_ = std::min(next_draw_, time); }
+
+  void handle(const SDL_Event& event) {
+    events_++;
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    const bool typing = ImGui::GetIO().WantTextInput;
+    mouse_.handle(session_, event);
+    if (const auto place = mouse_.take_click()) session_.inspect_at(*place);
+    switch (event.type) {
+      case SDL_QUIT:
+        obey({ViewCommandKind::quit});
+        break;
+      case SDL_KEYDOWN:
+        if (!typing) obey(command_of_key(pressed_key(event.key)));
+        break;
+      case SDL_TEXTINPUT:
+        if (!typing) obey(command_of_text(event.text.text));
+        break;
+      case SDL_DROPFILE:
+        session_.open(event.drop.file);
+        SDL_free(event.drop.file);
+        break;
+      default:
+        break;
+    }
+  }
+
+  static PressedKey pressed_key(const SDL_KeyboardEvent& key) {
+    return {key.keysym.scancode, key.keysym.sym, (key.keysym.mod & KMOD_SHIFT) != 0,
+            (key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0, key.repeat != 0};
+  }
+
+  void obey(const ViewCommand& command) {
+    session_.obey(command, mouse_.cursor());
+    if (command.kind == ViewCommandKind::copy) copy();
+  }
+
+  void copy() {
+    const std::string lines = session_.changed_lines();
+    if (lines.empty()) return session_.say("nothing is changed");
+    SDL_SetClipboardText(lines.c_str());
+    session_.say("copied:\n" + lines);
+  }
+
+  void draw() {
+    const auto [width, height] = window_.size();
+    session_.view().set_area({0, 0, std::max(width - panel_width, 1), std::max(height - status_height, 1)});
+    if (session_.path() != titled_) {
+      titled_ = session_.path();
+      window_.set_title(titled_.filename().string() + " - Penumbra");
+    }
+    window_.begin_frame(mouse_.cursor());
+    layer_.draw(session_);
+    const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
+    draw_inspector(session_);
+    draw_overlays(session_, width, height);
+    window_.end_frame();
+    next_draw_ = frames_to_settle_ > 0 ? Clock::now() + settle_interval : Clock::time_point::max();
+    frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
+    report_.frame(session_, width, height, events_, knobs, ImGui::GetIO().WantTextInput);
+  }
+
+  SdlWindow window_;
+  Wakeup wakeup_;
+  Report report_;
+  PictureLayer layer_;
+  Mouse mouse_;
+  std::filesystem::path titled_;
+  std::uint64_t events_ = 0;
+  Clock::time_point next_draw_{};  // the first frame is due
+  int frames_to_settle_ = frames_after_event;
+  Session session_;
+};
+
+}  // namespace
+
+void run_window(const SessionOptions& session_options, const WindowOptions& window_options) {
+  WindowLoop loop(session_options, window_options);
+  loop.run();
+  // What cannot be stopped is not waited for.
+  if (!loop.close()) std::_Exit(0);
+}
+
+}  // namespace penumbra

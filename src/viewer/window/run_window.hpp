@@ -1,0 +1,25 @@
+// `penumbra view`: opens the window and stays until it is closed.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "viewer/session.hpp"
+
+namespace penumbra {
+
+// There is nothing to open a window on; `what` says why.
+class NoDisplay : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WindowOptions {
+  int width = 1280, height = 760;
+  std::filesystem::path report;  // see report.hpp; empty for none
+};
+
+// Returns when the window was closed. Throws NoDisplay if there is nothing to open it on.
+void run_window(const SessionOptions& session_options, const WindowOptions& window_options);
+
+}  // namespace penumbra

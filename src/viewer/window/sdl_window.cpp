@@ -1,0 +1,106 @@
+#include "viewer/window/sdl_window.hpp"
+
+#include <SDL_opengl.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cstdlib>
+#include <string_view>
+
+#include "viewer/window/run_window.hpp"
+
+namespace penumbra {
+namespace {
+
+// Which of SDL's drivers to try: those of the displays that are named, so that it looks for no others and says nothing
+// about them.
+std::string drivers() {
+  const auto is_set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  if (is_set("SDL_VIDEODRIVER")) return std::getenv("SDL_VIDEODRIVER");
+  std::string names;
+  if (is_set("DISPLAY")) names = "x11";
+  if (is_set("WAYLAND_DISPLAY")) names += names.empty() ? "wayland" : ",wayland";
+  return names;
+}
+
+// Without a display, SDL takes a driver that shows nothing.
+bool shows_anything(const char* driver) {
+  const std::string_view name = driver ? driver : "";
+  return !name.empty() && name != "offscreen" && name != "dummy" && name != "evdev";
+}
+
+}  // namespace
+
+SdlWindow::SdlWindow(const char* title, int width, int height) try {
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  const std::string names = drivers();
+  if (names.empty()) throw NoDisplay("neither DISPLAY nor WAYLAND_DISPLAY names one");
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, names.c_str());
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw NoDisplay(SDL_GetError());
+  if (!shows_anything(SDL_GetCurrentVideoDriver())) throw NoDisplay("SDL found none that shows anything");
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+  SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+  window_ = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                             SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE);
+  if (window_) context_ = SDL_GL_CreateContext(window_);
+  if (!context_) throw NoDisplay(fmt::format("OpenGL 3.0 is missing: {}", SDL_GetError()));
+  SDL_SetWindowMinimumSize(window_, 480, 320);
+  SDL_GL_SetSwapInterval(1);
+  ImGui::CreateContext();
+  imgui_ = true;
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::StyleColorsDark();
+  ImGui_ImplSDL2_InitForOpenGL(window_, context_);
+  ImGui_ImplOpenGL3_Init("#version 130");
+  SDL_StartTextInput();
+} catch (...) {
+  close();
+  throw;
+}
+
+SdlWindow::~SdlWindow() { close(); }
+
+void SdlWindow::close() {
+  if (imgui_) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplSDL2_Shutdown();
+    ImGui::DestroyContext();
+  }
+  if (context_) SDL_GL_DeleteContext(context_);
+  if (window_) SDL_DestroyWindow(window_);
+  SDL_Quit();
+}
+
+void SdlWindow::begin_frame(PlaceInWindow cursor) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplSDL2_NewFrame();
+  // The back end goes by the place of the mouse and of the window on the screen, and the latter may be out of date.
+  ImVec2& place = ImGui::GetIO().MousePos;
+  if (ImGui::IsMousePosValid(&place)) place = {static_cast<float>(cursor.x), static_cast<float>(cursor.y)};
+  ImGui::NewFrame();
+}
+
+void SdlWindow::end_frame() {
+  ImGui::Render();
+  const auto [width, height] = size();
+  glViewport(0, 0, width, height);
+  glClearColor(0.12f, 0.12f, 0.12f, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  SDL_GL_SwapWindow(window_);
+}
+
+std::pair<int, int> SdlWindow::size() const {
+  int width = 0, height = 0;
+  SDL_GetWindowSize(window_, &width, &height);
+  return {width, height};
+}
+
+}  // namespace penumbra

@@ -1,0 +1,37 @@
+// An SDL window with an OpenGL context and Dear ImGui in it, and no more: what opens and closes.
+#pragma once
+
+#include <SDL.h>
+
+#include <string>
+#include <utility>
+
+#include "viewer/picture_view.hpp"
+
+namespace penumbra {
+
+class SdlWindow {
+ public:
+  // Throws NoDisplay.
+  SdlWindow(const char* title, int width, int height);
+  ~SdlWindow();
+  SdlWindow(const SdlWindow&) = delete;
+  SdlWindow& operator=(const SdlWindow&) = delete;
+
+  void set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
+  // `cursor`: where the last mouse event of this window was.
+  void begin_frame(PlaceInWindow cursor);
+  // Shows what was drawn since.
+  void end_frame();
+  // In pixels.
+  std::pair<int, int> size() const;
+
+ private:
+  void close();
+
+  SDL_Window* window_ = nullptr;
+  SDL_GLContext context_ = nullptr;
+  bool imgui_ = false;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,152 @@
+#include "viewer/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "base/test_folder.hpp"
+#include "image/image_file.hpp"
+#include "rendering/isa.hpp"
+
+namespace penumbra {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string scene_text = R"(image_size 40 30
+rays_per_pixel 3
+lens 0.1 5
+disk_light 2 5 -2 1 0 -1 0 1 1 1
+glossy 0.8 0.7 0.6 0.1 0.1 0.1 10 0.3 0.1
+sphere 1 0 0 -5
+)";
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest() { test::put_content(folder_ / "s01a.cli", scene_text); }
+
+  Session& open(std::optional<int> rays = 4) {
+    SessionOptions options;
+    options.given = folder_.path();
+    options.save_folder = folder_.path();
+    options.threads = 2;
+    options.kernel = usable_kernels().back();
+    options.picture.rays = rays;
+    session_.emplace(options, [] {});
+    session_->view().set_area({0, 0, 400, 300});
+    return *session_;
+  }
+
+  template <typename Condition>
+  void wait(Condition&& condition) {
+    const auto end = std::chrono::steady_clock::now() + 120s;
+    while (std::chrono::steady_clock::now() < end) {
+      session_->poll();
+      if (condition(*session_)) return;
+      std::this_thread::sleep_for(1ms);
+    }
+    FAIL() << "waited in vain";
+  }
+  void wait_until_done() {
+    wait([](const Session& s) { return s.picture_is_current() && s.picture()->done; });
+  }
+  void obey(ViewCommandKind kind) { session_->obey({kind}, {200, 150}); }
+
+  test::TestFolder folder_;
+  std::optional<Session> session_;
+};
+
+TEST_F(SessionTest, RaysAreDoubledAndHalved) {
+  Session& session = open(std::nullopt);
+  wait([](const Session& s) { return s.picture_is_current(); });
+  EXPECT_EQ(session.knobs().limit, 0u);
+  obey(ViewCommandKind::more_rays);
+  EXPECT_EQ(session.knobs().limit, 6u) << "twice what the scene says";
+  obey(ViewCommandKind::fewer_rays);
+  obey(ViewCommandKind::fewer_rays);
+  EXPECT_EQ(session.knobs().limit, 1u);
+  obey(ViewCommandKind::fewer_rays);
+  EXPECT_EQ(session.knobs().limit, 1u);
+  wait_until_done();
+  EXPECT_EQ(session.picture()->rays, 1u);
+}
+
+TEST_F(SessionTest, AnotherSceneForgetsWhatWasChanged) {
+  test::put_content(folder_ / "s02a.cli", scene_text);
+  Session& session = open();
+  wait_until_done();
+  session.set_lens(0.4, 7);
+  session.toggle_effect(0, Effect::gloss);
+  EXPECT_EQ(session.knobs().lens_radius, 0.4);
+  session.obey({ViewCommandKind::load_scene, 2, false}, {});
+  wait_until_done();
+  EXPECT_EQ(session.knobs().lens_radius, 0.1);
+  EXPECT_TRUE(session.options(0).without.empty());
+  EXPECT_EQ(session.knobs().limit, 4u) << "the command line is not forgotten";
+}
+
+TEST_F(SessionTest, ALightThatIsGoneIsForgotten) {
+  Session& session = open();
+  wait_until_done();
+  session.set_disk_radius(1, 0.3);
+  test::put_content(folder_ / "s01a.cli", "image_size 40 30\npoint_light 0 5 0 1 1 1\nsphere 1 0 0 -5\n");
+  wait([](const Session& s) {
+    return s.scene() && s.scene()->width == 40 && std::holds_alternative<PointLight>(s.scene()->lights[0]);
+  });
+  test::put_content(folder_ / "s01a.cli", "image_size 40 30\nsphere 1 0 0 -5\n");
+  wait([](const Session& s) { return s.scene() && s.scene()->lights.empty(); });
+  EXPECT_TRUE(session.options(0).disk_radius.empty());
+}
+
+TEST_F(SessionTest, FocusIsPutWhereTheCursorIs) {
+  Session& session = open();
+  wait_until_done();
+  obey(ViewCommandKind::focus);
+  EXPECT_NEAR(session.knobs().focus_distance, 4, 0.01);
+  EXPECT_EQ(session.knobs().lens_radius, 0.1);
+  wait_until_done();
+  EXPECT_NEAR(session.picture()->sides[0].scene->camera.focus_distance, 4, 0.01);
+}
+
+TEST_F(SessionTest, TheSplitViewComparesTwoSamplers) {
+  Session& session = open();
+  wait_until_done();
+  obey(ViewCommandKind::split);
+  wait([](const Session& s) { return s.picture_is_current() && s.picture()->done && s.picture()->sides.size() == 2; });
+  EXPECT_EQ(session.sampler(0), default_pattern);
+  EXPECT_EQ(session.sampler(1), Pattern::random);
+  session.obey({ViewCommandKind::toggle_effect, 0, false, Effect::lens}, {});
+  EXPECT_TRUE(session.options(0).without.empty());
+  EXPECT_TRUE(session.options(1).without.has(Effect::lens));
+  wait_until_done();
+  obey(ViewCommandKind::save);
+  EXPECT_EQ(session.message(), "saved s01a-view-left.png and s01a-view-right.png with 4 rays per pixel");
+  const ImageFile right = read_image(folder_ / "s01a-view-right.png");
+  EXPECT_NE(
+      std::find(right.metadata.begin(), right.metadata.end(), std::pair<std::string, std::string>("without", "lens")),
+      right.metadata.end());
+}
+
+TEST_F(SessionTest, AFolderThatCannotBeWrittenIsSaid) {
+  SessionOptions options;
+  options.given = folder_.path();
+  options.save_folder = folder_ / "missing";
+  options.kernel = usable_kernels().back();
+  options.picture.rays = 1;
+  session_.emplace(options, [] {});
+  wait_until_done();
+  obey(ViewCommandKind::save);
+  EXPECT_NE(session_->message().find("missing"), std::string::npos) << session_->message();
+}
+
+TEST_F(SessionTest, PausedEditsShowTheirFirstPicture) {
+  Session& session = open(std::nullopt);
+  wait([](const Session& s) { return s.picture_is_current() && s.picture()->rays >= 2; });
+  obey(ViewCommandKind::pause);
+  session.set_lens(0.3, 4);
+  wait([](const Session& s) { return s.picture_is_current(); });
+  EXPECT_EQ(session.picture()->rays, 1u);
+}
+
+}  // namespace
+}  // namespace penumbra

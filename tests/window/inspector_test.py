@@ -1,0 +1,52 @@
+"""A click shows what that pixel saw: the same tree of rays as `penumbra render --debug-pixel`, to the last digit."""
+
+import shlex
+import subprocess
+import sys
+
+from harness import DEADLINE, Tests
+from tiny import SCENE
+
+
+class InspectorTests(Tests):
+    def test_click_and_arrows(self):
+        self.put("tiny.cli", SCENE)
+        window = self.open("tiny.cli", "--rays", "6")
+        state = window.wait_for_rays(6)
+        x, y, width, height = state["picture"]
+        zoom = state["zoom"]
+        before = state["frame"]
+        window.click(x + 40 * zoom + 1, y + 45 * zoom + 1)
+        state = window.wait(lambda s: "inspection" in s, "the inspector", since=before)
+        assert state["inspection"]["pixel"] == [40, 45], state["inspection"]
+        for key, sample in (("Right", 1), ("Right", 2), ("Down", 5), ("Left", 4), ("Up", 0)):
+            state = window.press(key, lambda s: s["inspection"]["sample"] == sample, "sample %d" % sample)
+            words = shlex.split(state["inspection"]["command"])
+            text = subprocess.run([self.penumbra, *words[1:]], cwd=self.folder, check=True, capture_output=True,
+                                  text=True, timeout=DEADLINE).stdout
+            assert text == state["inspection"]["text"], text + state["inspection"]["text"]
+            assert text.count("eye ray") == 1 and "shadow ray to light 1" in text, text
+        # The rays are drawn over the picture, which is the same again when they are gone.
+        window.screenshot(self.path("with.png"), (x, y, width, height))
+        before = window.state["frame"]
+        window.click(x + 40 * zoom + 1, y + 45 * zoom + 1)
+        state = window.wait(lambda s: "inspection" not in s, "no inspector", since=before)
+        window.wait(lambda s: s["frame"] > state["frame"], "a frame after it")
+        window.picture_shot(self.path("without.png"))
+        self.assert_same_picture(self.path("without.png"), self.render(self.path("tiny.cli"), "it.png", "--rays", "6"))
+        window.screenshot(self.path("plain.png"), (x, y, width, height))
+        self.assert_other_picture(self.path("with.png"), self.path("plain.png"))
+
+    def test_follows_the_picture(self):
+        self.put("tiny.cli", SCENE)
+        window = self.open("tiny.cli", "--rays", "4")
+        state = window.wait_for_rays(4)
+        x, y, width, height = state["picture"]
+        window.click(x + width * 0.36, y + height * 0.5)
+        first = window.wait(lambda s: "inspection" in s, "the inspector")["inspection"]["text"]
+        window.press("d", lambda s: s["picture_task"] == s["task"] and s["inspection"]["text"] != first,
+                     "another tree without disk lights")
+
+
+if __name__ == "__main__":
+    sys.exit(InspectorTests.main())

@@ -1,0 +1,210 @@
+"""Every key of the help, pressed for real."""
+
+import os
+import subprocess
+import sys
+
+from harness import DEADLINE, Tests, metadata_of
+from tiny import SCENE
+
+
+def current(state):
+    return state["picture_task"] == state["task"]
+
+
+class KeyTests(Tests):
+    def open_tiny(self, *options):
+        return self.open(self.put("tiny.cli", SCENE), *options)
+
+    def options_of(self, png):
+        """The command line that the metadata of a picture asks for."""
+        words = []
+        for key, value in metadata_of(png).items():
+            if key in ("scene", "version"):
+                continue
+            words += ["--" + key] if value == "yes" else ["--" + key, value]
+        return words
+
+    def check_repeats(self, png):
+        """`penumbra render` makes the same file from the file's own metadata."""
+        again = self.render(self.path(metadata_of(png)["scene"]), "again.png", *self.options_of(png))
+        with open(png, "rb") as a, open(again, "rb") as b:
+            assert a.read() == b.read(), "%s is not repeated by %s" % (png, self.options_of(png))
+
+    def save(self, window):
+        state = window.press("s", lambda s: s["message"].startswith("saved"), "a message")
+        names = [word for word in state["message"].split() if word.endswith(".png")]
+        return [self.path(name) for name in names]
+
+    def test_digits_load_scenes(self):
+        for name in ("s01a", "s01b", "s02a", "s09b"):
+            self.put(name + ".cli", SCENE)
+        window = self.open(".", "--rays", "1")
+        assert window.state["scene"].endswith("s01a.cli")
+        for key, scene in (("2", "s02a.cli"), ("shift+1", "s01b.cli"), ("shift+9", "s09b.cli"), ("1", "s01a.cli")):
+            state = window.press(key, lambda s: s["scene"].endswith(scene) and current(s), scene)
+            assert state["error"] == "", state
+        state = window.press("5", lambda s: s["error"], "an error")
+        assert "s05a.cli" in state["error"], state["error"]
+        window.press("1", lambda s: s["scene"].endswith("s01a.cli") and not s["error"] and current(s), "s01a.cli")
+
+    def test_digits_on_another_layout(self):
+        """On a French keyboard, digits are typed with Shift; the window goes by the key's place."""
+        for name in ("s01a", "s02a", "s02b"):
+            self.put(name + ".cli", SCENE)
+        window = self.open(".", "--rays", "1")
+        self.display.run("setxkbmap", "fr")
+        window.press("eacute", lambda s: s["scene"].endswith("s02a.cli") and current(s), "s02a.cli")
+        window.press("2", lambda s: s["scene"].endswith("s02b.cli") and current(s), "s02b.cli")
+
+    def test_help(self):
+        window = self.open_tiny()
+        window.press("h", lambda s: s["help"], "help")
+        window.press("question", lambda s: not s["help"], "no help")
+        window.press("question", lambda s: s["help"], "help")
+        window.press("h", lambda s: not s["help"], "no help")
+
+    def test_pause(self):
+        window = self.open_tiny()
+        state = window.press("space", lambda s: s["paused"], "a pause")
+        rays = state["rays"]
+        frame = window.press("h", lambda s: s["help"], "help")
+        assert frame["rays"] == rays, "it goes on while it is paused"
+        window.press("space", lambda s: not s["paused"] and s["rays"] > rays, "more rays")
+
+    def test_restart(self):
+        window = self.open_tiny()
+        before = window.wait(lambda s: s["rays"] >= 8, "some rays")
+        state = window.press("r", lambda s: s["task"] > before["task"] and current(s), "a new picture")
+        assert state["rays"] < 8 or state["task"] > before["task"]
+
+    def test_rays(self):
+        window = self.open_tiny()
+        window.press("plus", lambda s: s["limit"] == 8 and current(s) and (s["done"] or s["rays"] > 8), "8 rays")
+        window.wait_for_rays(8)
+        window.press("plus", lambda s: s["limit"] == 16, "16 rays")
+        window.wait_for_rays(16)
+        window.press("minus", lambda s: s["limit"] == 8, "8 rays")
+        window.wait_for_rays(8)
+        window.picture_shot(self.path("seen.png"))
+        self.assert_same_picture(self.path("seen.png"), self.render("tiny.cli", "8.png", "--rays", "8"))
+        window.press("KP_Add", lambda s: s["limit"] == 16, "16 rays")
+
+    def test_effects(self):
+        window = self.open_tiny("--rays", "8")
+        window.wait_for_rays(8)
+        for key, effect in (("a", "antialiasing"), ("l", "lens"), ("m", "motion"), ("d", "disk-lights"), ("g", "gloss"),
+                            ("t", "translucency")):
+            window.press(key, lambda s: current(s) and s["sides"][0]["without"] == effect and s["done"],
+                         "no " + effect)
+            window.picture_shot(self.path("seen.png"))
+            self.assert_same_picture(self.path("seen.png"),
+                                     self.render("tiny.cli", effect + ".png", "--rays", "8", "--without", effect))
+            self.assert_other_picture(self.path("seen.png"), self.render("tiny.cli", "with.png", "--rays", "8"))
+            window.press(key, lambda s: current(s) and s["sides"][0]["without"] == "" and s["done"], effect)
+
+    def test_samplers(self):
+        window = self.open_tiny("--rays", "8")
+        window.wait_for_rays(8)
+        seen = []
+        for _ in range(8):
+            last = window.state["sides"][0]["sampler"]
+            state = window.press("p", lambda s: current(s) and s["done"] and s["sides"][0]["sampler"] != last,
+                                 "another sampler")
+            seen.append(state["sides"][0]["sampler"])
+            window.picture_shot(self.path("seen.png"))
+            self.assert_same_picture(self.path("seen.png"),
+                                     self.render("tiny.cli", "it.png", "--rays", "8", "--sampler", seen[-1]))
+        assert len(set(seen)) == 8, seen
+
+    def test_exposure(self):
+        window = self.open_tiny("--rays", "4")
+        window.wait_for_rays(4)
+        window.press("e", lambda s: s["exposure"] == 0.5, "exposure")
+        window.press("e", lambda s: s["exposure"] == 1, "exposure")
+        window.picture_shot(self.path("seen.png"))
+        self.assert_same_picture(self.path("seen.png"),
+                                 self.render("tiny.cli", "1.png", "--rays", "4", "--exposure", "1"))
+        window.press("shift+e", lambda s: s["exposure"] == 0.5, "exposure")
+
+    def test_save(self):
+        window = self.open_tiny("--rays", "8")
+        window.wait_for_rays(8)
+        (first,) = self.save(window)
+        assert metadata_of(first)["rays"] == "8", metadata_of(first)
+        self.check_repeats(first)
+        window.press("l", lambda s: current(s) and s["done"] and s["sides"][0]["without"] == "lens", "no lens")
+        window.press("e", lambda s: s["exposure"] == 0.5, "exposure")
+        state = window.press("s", lambda s: "view-2.png" in s["message"], "a message")
+        assert "8 rays" in state["message"]
+        second = self.path("tiny-view-2.png")
+        assert metadata_of(second)["without"] == "lens"
+        self.check_repeats(second)
+
+    def test_save_while_it_grows(self):
+        window = self.open_tiny()
+        window.wait(lambda s: s["rays"] >= 4, "a few rays")
+        (png,) = self.save(window)
+        self.check_repeats(png)
+
+    def test_copy(self):
+        window = self.open_tiny("--rays", "4")
+        window.wait_for_rays(4)
+        window.press("c", lambda s: s["message"] == "nothing is changed", "a message")
+        window.press("l", lambda s: current(s) and s["sides"][0]["without"] == "lens", "no lens")
+        window.press("d", lambda s: current(s) and "disk-lights" in s["sides"][0]["without"], "no disk lights")
+        window.press("plus", lambda s: s["limit"] == 8, "8 rays")
+        window.press("c", lambda s: s["message"].startswith("copied"), "a message")
+        lines = subprocess.run(["xclip", "-o", "-selection", "clipboard"], env=self.display.environment, check=True,
+                               capture_output=True, text=True, timeout=DEADLINE).stdout
+        assert lines == "rays_per_pixel 8\nlens 0 5\ndisk_light 2 5 -1 0 0 -1 0 0.9 0.9 0.9\n", lines
+        # The lines do what they say: in the scene they make the picture that is seen.
+        changed = SCENE.replace("disk_light 2 5 -1 0.8 0 -1 0 0.9 0.9 0.9\n", "") + lines
+        self.put("changed.cli", changed)
+        window.wait_for_rays(8)
+        window.picture_shot(self.path("seen.png"))
+        self.assert_same_picture(self.path("seen.png"), self.render("changed.cli", "changed.png"))
+
+    def test_focus(self):
+        window = self.open_tiny("--rays", "4")
+        state = window.wait_for_rays(4)
+        x, y, width, height = state["picture"]
+        # The red sphere's middle: its front is at 4 from the eye.
+        window.move(x + width * 0.36, y + height * 0.5)
+        state = window.press("f", lambda s: s["lens"][1] != 5 and current(s), "another focus")
+        assert 3.9 < state["lens"][1] < 4.3 and state["lens"][0] == 0.15, state["lens"]
+        window.move(x + width * 0.9, y + height * 0.05)
+        window.press("f", lambda s: "nothing" in s["message"], "a message")
+
+    def test_split(self):
+        window = self.open_tiny("--rays", "8")
+        window.wait_for_rays(8)
+        state = window.press("v", lambda s: s["split"] and current(s) and s["done"], "two halves")
+        assert [side["sampler"] for side in state["sides"]] == ["sobol", "random"], state["sides"]
+        window.press("d", lambda s: current(s) and s["done"] and s["sides"][1]["without"] == "disk-lights",
+                     "no disk lights at the right")
+        assert window.state["sides"][0]["without"] == ""
+        x, y, width, height = state["picture"]
+        middle = x + width // 2
+        window.mouse("mousemove", middle, y + 20, "mousedown", 1)
+        window.mouse("mousemove", x + width // 4, y + 20)
+        window.mouse("mouseup", 1)
+        window.wait(lambda s: abs(s["divider"] - 0.25) < 0.01, "the divider at a quarter")
+        left, right = self.save(window)
+        assert "left" in left and "right" in right
+        self.check_repeats(left)
+        self.check_repeats(right)
+        assert metadata_of(right)["sampler"] == "random" and metadata_of(right)["rays"] == "8"
+        window.press("v", lambda s: not s["split"] and current(s) and len(s["sides"]) == 1, "one picture")
+
+    def test_escape(self):
+        window = self.open_tiny()
+        window.key("Escape")
+        assert window.process.wait(DEADLINE) == 0
+
+    def render(self, scene, name, *options):
+        return super().render(self.path(scene), name, *options)
+
+
+if __name__ == "__main__":
+    sys.exit(KeyTests.main())

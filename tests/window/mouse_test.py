@@ -1,0 +1,144 @@
+"""Resizing, zoom, pan and the knobs of the panel."""
+
+import os
+import sys
+
+from harness import Tests
+from tiny import SCENE
+
+
+def shown(state):
+    return state["picture_task"] == state["task"] and state["done"]
+
+
+class MouseTests(Tests):
+    def open_tiny(self):
+        self.put("tiny.cli", SCENE)
+        window = self.open("tiny.cli", "--rays", "4")
+        window.wait(shown, "the picture")
+        return window
+
+    def check_seen(self, window, *options):
+        window.picture_shot(self.path("seen.png"))
+        self.assert_same_picture(self.path("seen.png"),
+                                 self.render(self.path("tiny.cli"), "it.png", "--rays", "4", *options))
+
+    def test_resize(self):
+        window = self.open_tiny()
+        for width, height in ((700, 500), (1300, 800), (480, 320)):
+            before = window.state["frame"]
+            window.mouse("windowsize", window.id, width, height)
+            state = window.wait(lambda s: s["window"] == [width, height], "a window of that size", since=before)
+            x, y, w, h = state["picture"]
+            assert x >= 0 and y >= 0 and x + w <= width and y + h <= height, state
+            window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
+            self.check_seen(window)
+
+    def test_zoom(self):
+        window = self.open_tiny()
+        x, y, width, height = window.state["picture"]
+        zoom = window.state["zoom"]
+        corner = (x + 1, y + 1)
+        window.move(*corner)
+        before = window.state["frame"]
+        window.mouse("click", 5)
+        state = window.wait(lambda s: s["zoom"] < zoom, "a smaller picture", since=before)
+        # What is under the cursor stays there.
+        assert abs(state["picture"][0] - x) <= 2 and abs(state["picture"][1] - y) <= 2, state["picture"]
+        window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
+        self.check_seen(window)
+        window.mouse("click", 4)
+        window.wait(lambda s: s["zoom"] == zoom, "the old zoom", since=state["frame"])
+
+    def test_pan(self):
+        window = self.open_tiny()
+        x, y, width, height = window.state["picture"]
+        window.mouse("mousemove", x + 50, y + 50, "mousedown", 1)
+        window.mouse("mousemove", x + 80, y + 70)
+        window.mouse("mouseup", 1)
+        state = window.wait(lambda s: s["picture"][:2] == [x + 30, y + 20], "the picture elsewhere")
+        window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
+        self.check_seen(window)
+
+    def drag_knob(self, window, label, changed, distance=40):
+        before = window.state["frame"]
+        x, y = window.state["knobs"][label]
+        window.mouse("mousemove", x, y, "mousedown", 1)
+        # The window has to see the button go down before the mouse moves on.
+        window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
+        window.mouse("mousemove", x + distance, y)
+        window.wait(changed, label + " to change", since=before)
+        window.mouse("mouseup", 1)
+        state = window.wait(lambda s: changed(s) and shown(s), "the picture", since=before)
+        self.window_rests(window)
+        return window.state
+
+    def window_rests(self, window):
+        """Waits for the picture after the last event."""
+        while True:
+            state = window.state
+            window.wait(shown, "the picture")
+            if window.state["task"] == state["task"]:
+                return
+
+    def test_knobs_of_the_scene(self):
+        window = self.open_tiny()
+        knobs = (("lens radius", lambda s: s["lens"][0] != 0.15, "lens "),
+                 ("focus distance", lambda s: s["lens"][1] != 5, "lens "),
+                 ("shutter opens", lambda s: s["shutter"][0] != 0, "shutter "),
+                 ("shutter closes", lambda s: s["shutter"][1] != 1, "shutter "),
+                 ("disk radius, light 1", lambda s: "disk_light" in s["changed"], "disk_light 2 5 -1 "),
+                 ("gloss, surface 1", lambda s: "glossy" in s["changed"], "glossy 0.3 0.1 0.1 0.4 0.4 0.4 20 0.4 "),
+                 ("gloss, surface 2", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
+                 ("blur, surface 2", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
+                 ("max depth", lambda s: s["max_depth"] != 8, "max_depth "))
+        for label, changed, line in knobs:
+            state = self.drag_knob(window, label, changed, distance=20)
+            assert line in state["changed"], state["changed"]
+            window.picture_shot(self.path("seen.png"))
+            self.put("changed.cli", self.with_lines(state["changed"]))
+            self.assert_same_picture(self.path("seen.png"), self.render(self.path("changed.cli"), "it.png"))
+            self.click_knob(window, "As in the file", lambda s: s["changed"] == "rays_per_pixel 4\n" or not s["changed"])
+
+    def with_lines(self, lines):
+        """The scene with the lines in place of its own."""
+        scene = SCENE
+        for line in lines.splitlines(keepends=True):
+            command = line.split()[0]
+            if command in ("glossy", "translucent", "disk_light"):
+                start = scene.index(command)
+                scene = scene[:start] + line + scene[scene.index("\n", start) + 1:]
+            else:
+                scene = scene + line
+        return scene
+
+    def click_knob(self, window, label, condition):
+        before = window.state["frame"]
+        x, y = window.state["knobs"][label]
+        window.mouse("mousemove", x, y, "mousedown", 1)
+        window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
+        window.mouse("mouseup", 1)
+        return window.wait(lambda s: condition(s) and shown(s), label, since=before)
+
+    def test_effects_and_sampler(self):
+        window = self.open_tiny()
+        self.click_knob(window, "lens 0", lambda s: s["sides"][0]["without"] == "lens")
+        self.check_seen(window, "--without", "lens")
+        self.click_knob(window, "lens 0", lambda s: s["sides"][0]["without"] == "")
+        self.click_knob(window, "sampler 0", lambda s: True)
+
+    def test_typed_numbers_are_no_keys(self):
+        """Keys typed into a field of the panel do not load scenes."""
+        window = self.open_tiny()
+        x, y = window.state["knobs"]["rays per pixel"]
+        before = window.state["frame"]
+        window.mouse("mousemove", x, y, "mousedown", 1)
+        window.wait(lambda s: s["typing"], "the field to take the keys", since=before)
+        window.mouse("mouseup", 1)
+        window.key("ctrl+a", "1", "6", "Return")
+        state = window.wait(lambda s: s["limit"] == 16 and shown(s), "16 rays")
+        assert state["scene"] == "tiny.cli" and not state["error"], state
+
+
+if __name__ == "__main__":
+    sys.exit(MouseTests.main())

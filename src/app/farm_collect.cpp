@@ -104,8 +104,7 @@ class Collection {
     };
     for (const PartFiles::Failure& failure : files.failures) set_aside(failure.name, failure.error.what());
     for (const Part& part : files.parts) {
-      const int shard = units[part.name()] % job_.shards;
-      const std::string why = why_foreign(part.header(), {shard, job_.shards}, picture);
+      const std::string why = why_foreign(part.header(), units[part.name()], picture);
       if (!why.empty()) set_aside(part.name(), fmt::format("`{}` is not of this job: {}", part.name(), why));
     }
     if (!whole) return false;
@@ -118,12 +117,15 @@ class Collection {
   }
 
   // Empty if it is a part that was asked for.
-  std::string why_foreign(const PartHeader& header, const Shard& shard, int picture) const {
+  std::string why_foreign(const PartHeader& header, int unit, int picture) const {
     if (header.key.version != job_.version) {
       return fmt::format("penumbra {} wrote it, and {} the job", header.key.version, job_.version);
     }
     if (to_hex(header.key.scene) != job_.scene_hash) return "its scene, or a file that this reads, is not the job's";
-    if (header.shard != shard || header.key.picture != picture) return "it is another part than its name says";
+    const Shard shard{unit % job_.shards, job_.shards};
+    bool is_it = header.shard == shard && header.key.picture == picture;
+    if (job_.frames) is_it = is_it && value_of("frame", header.key) == std::to_string(job_.frame_of(unit));
+    if (!is_it) return "it is another part than its name says";
     return {};
   }
 
@@ -155,7 +157,9 @@ class Collection {
   int check_scene() const {
     const bool course = std::count(job_.options.begin(), job_.options.end(), "--course") > 0;
     const bool lenient = std::count(job_.options.begin(), job_.options.end(), "--lenient") > 0;
-    const SceneFile file = read_scene(job_.scene, {course, lenient, true});
+    ReadOptions options{.course = course, .lenient = lenient, .hash = true};
+    if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
+    const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {
       complain(fmt::format("there is no scene file `{}` any more", job_.scene));
       return EX_NOINPUT;

@@ -66,8 +66,9 @@ void add_submit(CLI::App& farm, FarmOptions& farm_options) {
   FarmSubmitOptions& options = farm_options.submit;
   CLI::App* const submit = add_render(farm, options.render);
   submit->name("submit")->description("Write the scripts of a job and hand them to Slurm");
-  for (const char* own : {"--checkpoint", "--every", "--resume", "--time-limit", "--shard", "--scene-hash",
-                          "--progress", "--stats", "--quiet", "--debug-pixel", "--time"}) {
+  for (const char* own :
+       {"--checkpoint", "--every", "--resume", "--time-limit", "--shard", "--scene-hash", "--progress", "--stats",
+        "--quiet", "--debug-pixel", "--time", "--frame", "--video", "--fps"}) {
     if (CLI::Option* const option = submit->get_option_no_throw(own)) submit->remove_option(option);
   }
   std::vector<CLI::Option*> of_picture = submit->get_options();

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <numeric>
 
+#include "app/frame_options.hpp"
 #include "app/outputs.hpp"
+#include "app/render_checks.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/version.hpp"
@@ -77,35 +79,72 @@ void require_free(const JobFolder& folder) {
   }
 }
 
+// What the scene is at each frame, as far as a job has to know it.
+struct Frames {
+  std::vector<std::optional<FrameOfRange>> frames;
+  std::vector<std::vector<std::vector<fs::path>>> outputs;  // of each, of each picture
+  SceneFile first;
+};
+
+// Throws nothing that is wrong with the scene, but tells it; `exit_code` is not 0 then.
+Frames read_frames(RenderOptions options, int& exit_code) {
+  Frames result;
+  result.frames = frames_to_render(options.frames);
+  SceneFile file;
+  for (const std::optional<FrameOfRange>& frame : result.frames) {
+    const bool is_first = result.outputs.empty();
+    options.frame = frame;
+    if (is_first || file.varies) {
+      ReadOptions read_options{.course = options.course, .lenient = options.lenient, .hash = true};
+      if (frame) read_options.moment = {static_cast<double>(frame->frame), frame->time_at(0)};
+      file = read_scene(options.scene, read_options);
+      for (const Diagnostic& diagnostic : file.diagnostics) {
+        if (is_first || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
+      }
+      exit_code = !file.found ? EX_NOINPUT : has_error(file.diagnostics) ? EX_DATAERR : 0;
+    }
+    auto& outputs = result.outputs.emplace_back(output_files(file.actions, options.scene, options.outputs));
+    for (auto& of_picture : outputs) {
+      for (fs::path& output : of_picture) {
+        if (frame) output = with_frame_number(output, *frame);
+      }
+    }
+    if (exit_code == 0 && (is_first || file.varies)) {
+      exit_code = check_before_rendering(options, file.actions, outputs);
+    }
+    if (exit_code != 0) break;
+    if (is_first) result.first = file;
+  }
+  return result;
+}
+
 std::vector<std::string> absolute_names(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
   for (const fs::path& path : paths) names.push_back(fs::absolute(path).lexically_normal().string());
   return names;
 }
 
-Job job_for(const FarmSubmitOptions& options, const SceneFile& file, const JobFolder& folder) {
+Job job_for(const FarmSubmitOptions& options, const Frames& frames, const JobFolder& folder) {
   Job job;
   job.version = version;
   job.program = fs::read_symlink("/proc/self/exe").string();
   job.scene = fs::absolute(options.render.scene).lexically_normal().string();
-  job.scene_hash = to_hex(file.hash);
+  job.scene_hash = to_hex(frames.first.hash);
   job.options = options.words;
   job.threads = std::max(1, options.render.threads);
   job.partition = options.partition;
   job.minutes = options.minutes;
   job.name = name_of_job(options.render.outputs.front(), folder.path());
-  std::vector<std::vector<std::string>>& frame = job.outputs.emplace_back();
-  for (const auto& files : output_files(file.actions, options.render.scene, options.render.outputs)) {
-    frame.push_back(absolute_names(files));
-    for (const fs::path output : frame.back()) {
-      if (!fs::is_directory(output.parent_path())) {
-        throw FileError(EX_CANTCREAT, fmt::format("cannot write `{}`: there is no folder `{}`", output.string(),
-                                                  output.parent_path().string()));
-      }
-    }
+  if (const auto& range = options.render.frames.range) {
+    const auto digits = std::max<std::size_t>(fmt::formatted_size("{}", range->last), 4);
+    job.frames = {range->first, range->last, range->step, static_cast<int>(digits)};
   }
-  job.pictures = static_cast<int>(frame.size());
-  const int tiles = tile_count(file, options.render);
+  for (const auto& of_frame : frames.outputs) {
+    std::vector<std::vector<std::string>>& names = job.outputs.emplace_back();
+    for (const auto& of_picture : of_frame) names.push_back(absolute_names(of_picture));
+  }
+  job.pictures = static_cast<int>(job.outputs.front().size());
+  const int tiles = tile_count(frames.first, options.render);
   job.shards = options.shards.value_or(good_number_of_shards(static_cast<int>(job.outputs.size()), tiles, job));
   if (job.shards > tiles) {
     throw FileError(EX_USAGE, fmt::format("--shards {}: the picture has {} tiles only", job.shards, tiles));
@@ -125,15 +164,14 @@ void tell_commands(const JobFolder& folder, const std::vector<std::string>& shar
 }  // namespace
 
 int farm_submit(const FarmSubmitOptions& options) {
-  const SceneFile file = read_scene(options.render.scene, {options.render.course, options.render.lenient, true});
-  for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(stderr, "{}", to_string(diagnostic));
-  if (!file.found) return EX_NOINPUT;
-  if (has_error(file.diagnostics)) return EX_DATAERR;
+  int exit_code = 0;
+  const Frames frames = read_frames(options.render, exit_code);
+  if (exit_code != 0) return exit_code;
 
   const std::string place = options.folder.empty() ? options.render.outputs.front() + ".farm" : options.folder;
   const JobFolder folder(fs::absolute(place).lexically_normal());
   require_free(folder);
-  const Job job = job_for(options, file, folder);
+  const Job job = job_for(options, frames, folder);
   folder.create(job);
   fmt::print("{}: {} parts in {} tasks, in `{}`\n", job.name, job.units(), job.tasks(), folder.path().string());
 

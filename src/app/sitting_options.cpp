@@ -59,7 +59,8 @@ void add_sitting_options(CLI::App& command, SittingOptions& options) {
           "Time between two savings: 30s, 5m, 2h [30s]")
       ->type_name("TIME")
       ->needs(checkpoint);
-  command.add_flag("--resume", options.resume, "Go on from the checkpoint, if there is one [off]")->needs(checkpoint);
+  command.add_flag("--resume", options.resume,
+                   "Go on from the checkpoint, if there is one; skip frames that are finished [off]");
   command
       .add_option_function<std::string>(
           "--time-limit",

@@ -36,7 +36,10 @@ Json to_json(const Job& job) {
   if (job.minutes) json["minutes"] = *job.minutes;
   json["shards"] = job.shards;
   if (job.frames)
-    json["frames"] = {{"first", job.frames->first}, {"last", job.frames->last}, {"step", job.frames->step}};
+    json["frames"] = {{"first", job.frames->first},
+                      {"last", job.frames->last},
+                      {"step", job.frames->step},
+                      {"digits", job.frames->digits}};
   json["pictures"] = job.pictures;
   json["outputs"] = job.outputs;
   return json;
@@ -57,7 +60,9 @@ Job job_from(const Json& json) {
   json.at("shards").get_to(job.shards);
   if (json.contains("frames")) {
     const Json& frames = json.at("frames");
-    job.frames = {frames.at("first").get<int>(), frames.at("last").get<int>(), frames.at("step").get<int>()};
+    job.frames = {frames.at("first").get<int>(), frames.at("last").get<int>(), frames.at("step").get<int>(),
+                  frames.at("digits").get<int>()};
+    require(job.frames->digits > 0 && job.frames->digits < 10, "the number of digits");
   }
   json.at("pictures").get_to(job.pictures);
   json.at("outputs").get_to(job.outputs);
@@ -94,8 +99,12 @@ auto parsed(const fs::path& path, const Read& read) {
 
 }  // namespace
 
+// As `render` names what it is told to write to parts/N.exr.
 fs::path JobFolder::part(const Job& job, int unit, int picture) const {
-  return parts() / (job.pictures == 1 ? fmt::format("{}.exr", unit) : fmt::format("{}-{}.exr", unit, picture));
+  std::string name = fmt::format("{}", unit);
+  if (job.pictures > 1) name += fmt::format("-{}", picture);
+  if (job.frames) name += fmt::format(".{:0{}}", job.frame_of(unit), job.frames->digits);
+  return parts() / (name + ".exr");
 }
 
 fs::path JobFolder::stats(int unit) const { return path_ / "stats" / fmt::format("{}.json", unit); }

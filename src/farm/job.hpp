@@ -4,7 +4,7 @@
 //   state.json    what was submitted again, which frames are finished
 //   shard.sh      renders what one task has to render
 //   merge.sh      puts together what there is, has the rest rendered again
-//   parts/        N.exr for each unit
+//   parts/        N.exr for each unit; N.0007.exr where it is of frame 7
 //   checkpoints/  of units that were stopped midway
 //   stats/        N.json: what unit N took
 //   logs/         what the tasks said
@@ -27,6 +27,7 @@ inline constexpr int most_units = 1'000'000;
 struct Job {
   struct Frames {
     int first = 0, last = 0, step = 1;
+    int digits = 4;  // of a frame's number in the name of a file
   };
 
   std::string version;               // of the program
@@ -46,6 +47,7 @@ struct Job {
   int units() const { return shards * static_cast<int>(outputs.size()); }
   int tasks() const { return units() < most_tasks ? units() : most_tasks; }
   int task_of(int unit) const { return unit % tasks(); }
+  int frame_of(int unit) const { return frames ? frames->first + frames->step * (unit / shards) : 0; }
 };
 
 struct JobState {

@@ -40,14 +40,16 @@ std::string shard_script(const Job& job, const JobFolder& folder) {
   text += enter(folder);
   text += "task=${1:-$SLURM_ARRAY_TASK_ID}\n";
   text += fmt::format("for ((unit = task; unit < {}; unit += {})); do\n", job.units(), job.tasks());
-  text += fmt::format("  [ -s \"parts/$unit{}.exr\" ] && continue\n",
-                      job.pictures == 1 ? "" : fmt::format("-{}", job.pictures));
+  std::string part = job.pictures == 1 ? "$unit" : fmt::format("$unit-{}", job.pictures);
   std::string shard = "$unit";
   if (job.frames) {
-    text += fmt::format("  frame=$(({} + {} * (unit / {})))\n", job.frames->first, job.frames->step, job.shards);
     text += fmt::format("  shard=$((unit % {}))\n", job.shards);
+    text += fmt::format("  frame=$(printf %0{}d $(({} + {} * (unit / {}))))\n", job.frames->digits, job.frames->first,
+                        job.frames->step, job.shards);
+    part += ".$frame";
     shard = "$shard";
   }
+  text += fmt::format("  [ -s \"parts/{}.exr\" ] && continue\n", part);
   text += fmt::format("  echo \"unit $unit begins on $(hostname), $(date)\"\n");
   text += fmt::format("  {} render {} \\\n", shell_word(job.program), shell_word(job.scene));
   text +=

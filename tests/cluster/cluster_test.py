@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A frame in 24 shards on a Slurm of three nodes, undisturbed, and then with all that can go wrong on a cluster:
-whatever happens, the picture is the file that one machine writes, to the byte, and nothing is rendered twice but what
-was lost.
+"""A frame in 24 shards and an animation of 12 frames on a Slurm of three nodes, undisturbed, and then with all that can go
+wrong on a cluster: whatever happens, the pictures are the files that one machine writes, to the byte, and nothing is
+rendered twice but what was lost.
 
 usage: cluster_test.py --penumbra build/release/penumbra"""
 
@@ -20,9 +20,15 @@ import time
 from loop_cluster import LoopCluster, processes, wait_until
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+NAME = "the picture's \"file\".exr"
 SHARDS = 24
+FRAMES = 12
 OPTIONS = ["--size", "480x270", "--rays", "48", "--aov", "depth,samples"]
+ANIMATION = ["--frames", f"1-{FRAMES}", "--size", "240x180", "--rays", "48"]
 PATIENCE = 150  # seconds for one job, also where the processors are busy with other things
+
+
+PART = r"(\d+)(\.\d+)?\.exr"
 
 
 def require(condition, what):
@@ -36,7 +42,9 @@ class Farm:
     def __init__(self, penumbra, cluster, folder, scene):
         self.penumbra, self.cluster = penumbra, cluster
         os.mkdir(folder)
-        self.output = os.path.join(folder, "the picture's \"file\".exr")
+        self.place = folder
+        self.frames = 1
+        self.output = os.path.join(folder, NAME)
         self.folder = self.output + ".farm"
         self.scene = scene
 
@@ -52,14 +60,11 @@ class Farm:
     def status(self):
         return json.loads(self.run("status", self.output, "--json"))
 
-    def part(self, unit):
-        return os.path.join(self.folder, "parts", f"{unit}.exr")
-
     def parts(self):
-        """The units whose parts are there, the oldest first."""
+        """The files of the parts that are there and their units, the oldest first."""
         with os.scandir(os.path.join(self.folder, "parts")) as entries:
-            found = [(entry.stat().st_mtime, entry.name) for entry in entries if re.fullmatch(r"\d+\.exr", entry.name)]
-        return [int(name[:-4]) for _, name in sorted(found)]
+            found = [(entry.stat().st_mtime, entry.path) for entry in entries if re.fullmatch(PART, entry.name)]
+        return {int(os.path.basename(path).split(".")[0]): path for _, path in sorted(found)}
 
     def renders(self):
         """The units that are being rendered, and their processes."""
@@ -73,8 +78,14 @@ class Farm:
         return found
 
     def wait(self):
-        wait_until(lambda: os.path.exists(self.output), PATIENCE, "picture", self.cluster.hurry)
-        wait_until(lambda: self.status()["finished"], 10, "finished job")
+        state = os.path.join(self.folder, "state.json")
+
+        def finished():
+            with open(state, encoding="utf-8") as file:
+                return len(json.load(file)["finished"]) == self.frames
+
+        wait_until(finished, PATIENCE, "finished job", self.cluster.hurry)
+        require(self.status()["finished"], self.status())
 
     def log(self):
         text = ""
@@ -92,11 +103,15 @@ class Farm:
         return self.counts(r"^unit (\d+) begins")
 
     def rendered(self):
-        return self.counts(r"^parts/(\d+)\.exr: ")
+        return self.counts(r"^parts/(\d+)(?:\.\d+)?\.exr: \d+x\d+ pixels")
 
-    def require_picture(self, expected):
-        with open(self.output, "rb") as file:
-            require(file.read() == expected, f"{self.output} is not the file of one machine")
+    def require_pictures(self, expected):
+        """Those of one machine, which lie in the folder `expected`."""
+        names = sorted(os.listdir(expected))
+        require(len(names) == self.frames, names)
+        for name in names:
+            with open(os.path.join(expected, name), "rb") as one, open(os.path.join(self.place, name), "rb") as many:
+                require(one.read() == many.read(), f"{name} is not the file of one machine")
 
 
 def once(units, *twice):
@@ -119,20 +134,19 @@ class Slowed(threading.Thread):
             time.sleep(0.01)
 
 
-def undisturbed(farm, expected):
-    farm.submit("--shards", str(SHARDS), "--partition", "render", "--time", "10m", *OPTIONS)
+def undisturbed(farm, expected, units, words):
+    farm.submit("--partition", "render", "--time", "10m", *words)
     wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts")
     status = farm.status()
-    require(status["slurm"] and status["parts"] == SHARDS and status["done"] >= 3 and not status["lost"], status)
-    require(status["waiting"] and status.get("seconds_left", 1) > 0, status)
+    require(status["slurm"] and status["parts"] == units and status["done"] >= 3 and not status["lost"], status)
     farm.wait()
-    farm.require_picture(expected)
-    require(farm.begun() == once(SHARDS) and farm.rendered() == once(SHARDS), farm.log())
+    farm.require_pictures(expected)
+    require(farm.begun() == once(units) and farm.rendered() == once(units), farm.log())
 
 
-def disturbed(farm, expected):
+def disturbed(farm, expected, units, words):
     cluster = farm.cluster
-    farm.submit("--shards", str(SHARDS), *OPTIONS)
+    farm.submit(*words)
     running = wait_until(lambda: len(farm.renders()) == 3 and farm.renders(), PATIENCE, "three tasks at a time")
     slow, interrupted = sorted(running)[:2]
     Slowed(running[slow])
@@ -141,9 +155,9 @@ def disturbed(farm, expected):
     print(f"  shard {slow} is ten times slower, {interrupted} has to end, exit code 75", flush=True)
 
     wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts", cluster.hurry)
-    torn, deleted = farm.parts()[:2]
-    os.truncate(farm.part(torn), os.path.getsize(farm.part(torn)) - 1000)
-    os.remove(farm.part(deleted))
+    (torn, torn_file), (deleted, deleted_file) = list(farm.parts().items())[:2]
+    os.truncate(torn_file, os.path.getsize(torn_file) - 1000)
+    os.remove(deleted_file)
     print(f"  part {torn} is torn, {deleted} deleted", flush=True)
 
     def on_n2():
@@ -166,10 +180,10 @@ def disturbed(farm, expected):
     cluster.start_node("n2")
 
     farm.wait()
-    farm.require_picture(expected)
+    farm.require_pictures(expected)
     require(farm.status()["resubmissions"] == 1, farm.status())
     begun, rendered = farm.begun(), farm.rendered()
-    require(rendered == once(SHARDS, torn, deleted), f"rendered: {rendered}")
+    require(rendered == once(units, torn, deleted), f"rendered: {rendered}")
     again = {unit for unit, count in begun.items() if count > rendered[unit]}
     require(again == {interrupted, killed}, f"begun again: {again}")
     cluster.wait_for_idle_nodes(3)
@@ -186,16 +200,21 @@ def main():
     try:
         work = os.path.join(scratch, "it's 100% \"odd\" $HOME")  # names are not to matter
         os.mkdir(work)
-        scene = os.path.join(work, "a scene.cli")
-        shutil.copy(os.path.join(ROOT, "scenes/demo.cli"), scene)
-        picture = os.path.join(work, "one machine.exr")
-        subprocess.run([penumbra, "render", scene, "-o", picture, "--quiet", *OPTIONS], check=True)
-        with open(picture, "rb") as file:
-            expected = file.read()
+        jobs = {"frame": ("demo", 1, SHARDS, OPTIONS, ["--shards", str(SHARDS)]),
+                "animation": ("carousel", FRAMES, FRAMES, ANIMATION, ["--shards", "1"])}
         with LoopCluster(os.path.join(scratch, "slurm")) as cluster:
-            for scenario in [undisturbed, disturbed]:
-                print(f"{scenario.__name__} ({time.monotonic() - start:.0f} s)", flush=True)
-                scenario(Farm(penumbra, cluster, os.path.join(work, scenario.__name__), scene), expected)
+            for name, (scene_name, frames, units, options, shards) in jobs.items():
+                scene = os.path.join(work, f"a {scene_name}.cli")
+                shutil.copy(os.path.join(ROOT, f"scenes/{scene_name}.cli"), scene)
+                expected = os.path.join(work, f"one machine's {name}")
+                os.mkdir(expected)
+                subprocess.run([penumbra, "render", scene, "-o", os.path.join(expected, NAME), "--quiet", *options],
+                               check=True)
+                for scenario in [undisturbed, disturbed]:
+                    print(f"{name}, {scenario.__name__} ({time.monotonic() - start:.0f} s)", flush=True)
+                    farm = Farm(penumbra, cluster, os.path.join(work, f"{name} {scenario.__name__}"), scene)
+                    farm.frames = frames
+                    scenario(farm, expected, units, options + shards)
         print(f"the cluster's pictures are those of one machine ({time.monotonic() - start:.0f} s)")
     finally:
         if arguments.keep:

@@ -86,6 +86,40 @@ TEST_F(FarmSubmit, SeveralPicturesOfOneScene) {
   }
 }
 
+// Every frame is its own picture; its parts are named by it, and one of another frame is no part of it.
+TEST_F(FarmSubmit, Animations) {
+  put_content(scene_file_, scene_text(2) + "background {t} 0 {frame / 10}\n");
+  const Words frames = {"--frames", "3-9x3"};
+  ASSERT_EQ(submit(frames + Words{"--shards", "2"}), 0) << said();
+  EXPECT_EQ(job().units(), 6);
+  EXPECT_EQ(job().frame_of(3), 6);
+  EXPECT_NE(submissions().find("--array=0-5\n"), std::string::npos);
+  run_all_tasks();
+  EXPECT_TRUE(std::filesystem::exists(folder().parts() / "5.0009.exr"));
+  EXPECT_EQ(run_task(5).output, "");
+  const auto part = [&](int unit) { return folder().part(job(), unit, 1); };
+  const std::string kept = content_of(part(2));
+  std::filesystem::copy_file(part(0), part(2), std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(collect(), 65);
+  EXPECT_NE(said().find("it is another part than its name says"), std::string::npos) << said();
+  EXPECT_TRUE(std::filesystem::exists(work_ / "the 'picture'.0003.exr"));  // what is whole is written
+  EXPECT_FALSE(std::filesystem::exists(work_ / "the 'picture'.0006.exr"));
+  put_content(part(2), kept);
+  ASSERT_EQ(collect(), 0) << said();
+  single_machine(frames);
+  for (const char* number : {".0003", ".0006", ".0009"}) {
+    const std::string bytes = content_of(work_ / ("the 'picture'" + std::string(number) + ".exr"));
+    EXPECT_FALSE(bytes.empty());
+    EXPECT_TRUE(bytes == content_of(work_ / ("single" + std::string(number) + ".exr"))) << number;
+  }
+}
+
+TEST_F(FarmSubmit, AnErrorInAnyFrame) {
+  put_content(scene_file_, scene_text(2) + "background {1 / (frame - 5)} 0 0\n");
+  EXPECT_EQ(submit({"--frames", "3-4"}), 0) << said();
+  EXPECT_EQ(submit({"--frames", "3-6", "--folder", (work_ / "second").string()}), 65) << said();
+}
+
 TEST_F(FarmSubmit, Refusals) {
   EXPECT_EQ(submit({"--shards", "0"}), 64);
   EXPECT_EQ(submit({"--shards", "many"}), 64);

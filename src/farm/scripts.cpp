@@ -44,9 +44,8 @@ std::string shard_script(const Job& job, const JobFolder& folder) {
   std::string shard = "$unit";
   if (job.frames) {
     text += fmt::format("  shard=$((unit % {}))\n", job.shards);
-    text += fmt::format("  frame=$(printf %0{}d $(({} + {} * (unit / {}))))\n", job.frames->digits, job.frames->first,
-                        job.frames->step, job.shards);
-    part += ".$frame";
+    text += fmt::format("  frame=$(({} + {} * (unit / {})))\n", job.frames->first, job.frames->step, job.shards);
+    part += fmt::format(".$(printf %0{}d $frame)", job.frames->digits);
     shard = "$shard";
   }
   text += fmt::format("  [ -s \"parts/{}.exr\" ] && continue\n", part);

@@ -194,6 +194,7 @@ def main():
     parser.add_argument("--penumbra", required=True)
     parser.add_argument("--keep", action="store_true", help="leave the folder of the cluster for a look")
     arguments = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # the cluster is stopped before
     penumbra = os.path.abspath(arguments.penumbra)
     scratch = tempfile.mkdtemp(prefix="penumbra-cluster-")
     start = time.monotonic()

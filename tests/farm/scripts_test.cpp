@@ -11,16 +11,17 @@ namespace penumbra::test {
 namespace {
 
 Job small_job() {
-  Job job;
-  job.version = "1";
-  job.name = "name";
-  job.program = "/opt/penumbra";
-  job.scene = "/shared/a scene.cli";
-  job.scene_hash = "0123";
-  job.options = {"--rays", "64", "--no-shadows"};
-  job.shards = 24;
-  job.outputs = {{{"/shared/a.exr"}}};
-  return job;
+  return {.version = "1",
+          .name = "name",
+          .program = "/opt/penumbra",
+          .scene = "/shared/a scene.cli",
+          .scene_hash = "0123",
+          .options = {"--rays", "64", "--no-shadows"},
+          .partition = {},
+          .minutes = {},
+          .shards = 24,
+          .frames = {},
+          .outputs = {{{"/shared/a.exr"}}}};
 }
 
 bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != text.npos; }
@@ -89,6 +90,22 @@ TEST(ShardScript, SharesManyUnitsOut) {
   EXPECT_EQ(job.tasks(), 1000);
   EXPECT_EQ(job.task_of(2499), 499);
   EXPECT_TRUE(contains(shard_script(job, JobFolder("/a")), "for ((unit = task; unit < 2500; unit += 1000)); do\n"));
+}
+
+TEST(ShardScript, FramesOfAnAnimation) {
+  Job job = small_job();
+  job.shards = 2;
+  job.frames = {3, 90, 3, 4};
+  job.outputs.resize(30, job.outputs.front());
+  const std::string script = shard_script(job, JobFolder("/a"));
+  EXPECT_TRUE(contains(script,
+                       "for ((unit = task; unit < 60; unit += 60)); do\n"
+                       "  shard=$((unit % 2))\n"
+                       "  frame=$((3 + 3 * (unit / 2)))\n"
+                       "  [ -s \"parts/$unit.$(printf %04d $frame).exr\" ] && continue\n"))
+      << script;
+  EXPECT_TRUE(contains(script, " --shard \"$shard/2\" -o \"parts/$unit.exr\" ")) << script;
+  EXPECT_TRUE(contains(script, " --frames 3-90x3 --frame \"$frame\" ")) << script;
 }
 
 TEST(MergeScript, Collects) {

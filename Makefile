@@ -5,6 +5,7 @@
 #   make build      install what is missing, build the release
 #   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
 #                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
+#   make test-cluster  one frame on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
@@ -22,8 +23,8 @@ FUZZ_SECONDS ?= 300
 WINDOW_EVENTS ?= 10000
 PEERS_FLAGS ?=
 
-.PHONY: demo test build test-long bench bench-peers instructions check-instructions lint format docs gallery fuzz \
-  window-events clean
+.PHONY: demo test build test-long test-cluster bench bench-peers instructions check-instructions lint format docs \
+  gallery fuzz window-events clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -44,6 +45,10 @@ test-long: test fuzz window-events
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
+
+test-cluster: build
+	@scripts/install-dependencies.sh cluster
+	@python3 tests/cluster/cluster_test.py --penumbra $(BUILD)/penumbra
 
 # Thousands of random events for the window, under AddressSanitizer and UndefinedBehaviorSanitizer and under
 # ThreadSanitizer.

@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that a goal needs (build, test, lint; machines: what tests/machines runs on;
-# instructions: what bench/instructions.py counts with; peers: what bench/peers compares with), and only those that are
-# missing: with everything there, no package manager is called and no network is needed. Only apt runs with root's rights.
+# instructions: what bench/instructions.py counts with; peers: what bench/peers compares with; cluster: the Slurm of
+# tests/cluster), and only those that are missing: with everything there, no package manager is called and no network is
+# needed. Only apt runs with root's rights.
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev libcli11-dev
-                libfmt-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev libimgui-dev libgl-dev libopengl-dev)
+                libfmt-dev libmuparser-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev libimgui-dev libgl-dev
+                libopengl-dev)
 # The window is tested on an X server without a screen, with OpenGL in software and keys that are pressed for real.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 machines_packages=(qemu-user)
 instructions_packages=(valgrind)
 peers_packages=(povray blender python3-numpy python3-openimageio python3-matplotlib)
+cluster_packages=(slurm-wlm munge)
 
 case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;
@@ -20,8 +23,9 @@ case "${1:-}" in
   machines) wanted=("${machines_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
   peers) wanted=("${peers_packages[@]}") ;;
+  cluster) wanted=("${build_packages[@]}" "${cluster_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|machines|instructions|peers" >&2
+    echo "usage: $0 build|test|lint|machines|instructions|peers|cluster" >&2
     exit 64
     ;;
 esac

@@ -8,6 +8,7 @@
 
 #include "app/check_command.hpp"
 #include "app/compare_command.hpp"
+#include "app/farm_command.hpp"
 #include "app/merge_command.hpp"
 #include "app/render_command.hpp"
 #include "app/render_options.hpp"
@@ -46,11 +47,13 @@ int run(int argc, char** argv) {
   penumbra::CompareOptions compare_options;
   penumbra::SamplesOptions samples_options;
   penumbra::MergeOptions merge_options;
+  penumbra::FarmOptions farm_options;
   const CLI::App* render = penumbra::add_render(app, render_options);
   const CLI::App* check = add_check(app, check_options);
   const CLI::App* compare = penumbra::add_compare(app, compare_options);
   const CLI::App* samples = penumbra::add_samples(app, samples_options);
   const CLI::App* merge = penumbra::add_merge(app, merge_options);
+  const CLI::App* farm = penumbra::add_farm(app, farm_options);
   const CLI::App* view = add_view(app);
   try {
     app.parse(argc, argv);
@@ -62,6 +65,7 @@ int run(int argc, char** argv) {
   if (compare->parsed()) return penumbra::compare_command(compare_options);
   if (samples->parsed()) return penumbra::samples_command(samples_options);
   if (merge->parsed()) return penumbra::merge_command(merge_options);
+  if (farm->parsed()) return penumbra::farm_command(farm_options);
   if (view->parsed()) return penumbra::view_command(view->remaining());
   return exit_usage;
 }

@@ -5,6 +5,8 @@
 #include <sysexits.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <string_view>
 
 #include "base/archive.hpp"
@@ -65,6 +67,13 @@ std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const 
   if (start > bytes.size() - trailer_size) fail("is a damaged part of a picture: it does not tell where its tiles are");
   const auto at = static_cast<std::size_t>(start);
   return bytes.subspan(at, bytes.size() - trailer_size - at);
+}
+
+bool ends_as_part_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, ending.size()> last{};
+  file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
+  return file.read(last.data(), last.size()) && std::string_view(last.data(), last.size()) == ending;
 }
 
 }  // namespace penumbra

@@ -50,11 +50,22 @@ void set_layers(RenderOptions& options, const std::vector<std::string>& names) {
   }
 }
 
+void check_sitting(const RenderOptions& options) {
+  const SittingOptions& sitting = options.sitting;
+  if (sitting.resume && sitting.checkpoint.empty() && !sitting.animation) {
+    throw CLI::ValidationError("--resume", "there is nothing to go on from without --checkpoint or --frames");
+  }
+  if (sitting.shard && !options.frames.video.empty()) {
+    throw CLI::ValidationError("--video", "a shard is only a part of each frame; leave out --video");
+  }
+}
+
 void check_debug_pixel(const RenderOptions& options) {
   const SittingOptions& sitting = options.sitting;
-  if (options.debug_pixel && (sitting.has_end_in_mind() || sitting.shard)) {
+  if (options.debug_pixel &&
+      (!sitting.checkpoint.empty() || sitting.time_limit || sitting.shard || !options.frames.video.empty())) {
     throw CLI::ValidationError("--debug-pixel",
-                               "nothing is rendered; leave out --checkpoint, --time-limit and --shard");
+                               "nothing is rendered; leave out --checkpoint, --time-limit, --shard and --video");
   }
 }
 
@@ -134,9 +145,13 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
       ->transform(CLI::CheckedTransformer(styles).description(""))
       ->type_name("STYLE");
   add_sitting_options(*render, options.sitting);
+  add_frame_options(*render, options.frames);
   render->add_option("--stats", options.stats, "Write what the render did, as JSON")->type_name("FILE.json");
   render->add_flag("--quiet", options.quiet, "Print nothing but errors [off]");
   render->final_callback([&options] {
+    options.sitting.animation = options.frames.range.has_value();
+    check_frame_options(options.frames);
+    check_sitting(options);
     check_debug_pixel(options);
     check_outputs(options);
     check_noise(options);

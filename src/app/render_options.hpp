@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/frame_options.hpp"
 #include "app/sitting_options.hpp"
 #include "picture/picture_options.hpp"
 #include "rendering/plan.hpp"
@@ -36,6 +37,7 @@ struct RenderOptions : PictureOptions {
   ProgressStyle progress = ProgressStyle::automatic;
   std::string stats;
   SittingOptions sitting;
+  FrameOptions frames;
 };
 
 // Adds the subcommand `render` to `app`; parsing fills `options` and throws CLI::ParseError for what is no good.

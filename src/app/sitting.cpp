@@ -73,11 +73,16 @@ void Sitting::open_checkpoint() {
   }
 }
 
-void Sitting::require_scene(const std::string& version, const ContentHash& scene) const {
+void Sitting::require_scene(const std::string& version, const ContentHash& scene, const std::string& frames) const {
   if (!checkpoint_) return;
   PictureKey key = checkpoint_->key();
   key.version = version;
   key.scene = scene;
+  const auto is_frames = [](const auto& option) { return option.first == "frames"; };
+  if (value_of("frames", key) != frames) {
+    std::erase_if(key.plan, is_frames);
+    if (frames != not_given) key.plan.emplace_back("frames", frames);
+  }
   checkpoint_->require(key);
 }
 
@@ -85,7 +90,7 @@ bool Sitting::run(ResumableRender& render, PictureKey key, RenderState& state) {
   if (const auto& shard = options_.shard)
     key.plan.emplace_back("shard", fmt::format("{}/{}", shard->index, shard->count));
   spent_ = {};
-  if (checkpoint_ && checkpoint_->key().picture == key.picture) {
+  if (checkpoint_ && is_same_picture(checkpoint_->key(), key)) {
     checkpoint_->require(key);
     checkpoint_->restore(render);
     spent_ = checkpoint_->spent();
@@ -114,7 +119,7 @@ bool Sitting::run(ResumableRender& render, PictureKey key, RenderState& state) {
     interruption_->stop_through(nullptr);
     spent_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     const bool is_saving = saving.valid() && saving.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    const bool ends = render.is_finished() || is_to_end();
+    const bool ends = render.is_finished() || is_over();
     if (saving.valid() && (ends || !is_saving)) saving.get();
     if (render.is_finished()) return true;
     if (ends) {
@@ -125,7 +130,7 @@ bool Sitting::run(ResumableRender& render, PictureKey key, RenderState& state) {
   }
 }
 
-bool Sitting::is_to_end() const { return interruption_->signal() || (end_ && Clock::now() >= *end_); }
+bool Sitting::is_over() const { return (interruption_ && interruption_->signal()) || (end_ && Clock::now() >= *end_); }
 
 // Writes while the render goes on. Where that fails, there is no use in going on.
 std::future<void> Sitting::begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop) {
@@ -151,6 +156,9 @@ void Sitting::save(std::span<const std::byte> bytes) {
 std::string Sitting::why() const {
   const char* const signal = interruption_ ? interruption_->signal() : nullptr;
   const std::string cause = signal ? fmt::format("interrupted by {}", signal) : "the time limit is reached";
+  if (options_.checkpoint.empty() && options_.animation) {
+    return fmt::format("{}: the same command with --resume goes on with the frames that are not finished", cause);
+  }
   return options_.checkpoint.empty()
              ? fmt::format("{}: what is written is not finished", cause)
              : fmt::format("{}: the same command with --resume goes on from `{}`", cause, options_.checkpoint);

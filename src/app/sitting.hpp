@@ -21,8 +21,9 @@ class Sitting {
   // can be written. `start` is when the time limit begins to count.
   Sitting(const SittingOptions& options, Clock::time_point start, bool quiet);
 
-  // Throws FileError 65 unless the checkpoint, if there is one, is of this scene.
-  void require_scene(const std::string& version, const ContentHash& scene) const;
+  // Throws FileError 65 unless the checkpoint, if there is one, is of this scene, and of this animation if it is of
+  // one: `frames` is what the option of that name says, `not given` without it.
+  void require_scene(const std::string& version, const ContentHash& scene, const std::string& frames) const;
   // Whether earlier sittings have finished this picture of the scene.
   bool has_finished(int picture) const { return checkpoint_ && picture < checkpoint_->key().picture; }
 
@@ -31,6 +32,8 @@ class Sitting {
   bool run(ResumableRender& render, PictureKey key, RenderState& state);
   // What this picture has taken, earlier sittings included.
   const Spent& spent() const { return spent_; }
+  // Whether it was asked to end, or its time is up.
+  bool is_over() const;
   // Why the sitting ended before the picture was finished, and how to go on, for the user.
   std::string why() const;
 
@@ -41,7 +44,6 @@ class Sitting {
   void open_checkpoint();
   std::future<void> begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop);
   void save(std::span<const std::byte> bytes);
-  bool is_to_end() const;
 
   const SittingOptions& options_;
   bool quiet_;

@@ -59,7 +59,8 @@ void add_sitting_options(CLI::App& command, SittingOptions& options) {
           "Time between two savings: 30s, 5m, 2h [30s]")
       ->type_name("TIME")
       ->needs(checkpoint);
-  command.add_flag("--resume", options.resume, "Go on from the checkpoint, if there is one [off]")->needs(checkpoint);
+  command.add_flag("--resume", options.resume,
+                   "Go on from the checkpoint, if there is one; skip frames that are finished [off]");
   command
       .add_option_function<std::string>(
           "--time-limit",
@@ -71,6 +72,10 @@ void add_sitting_options(CLI::App& command, SittingOptions& options) {
           "--shard", [&options](const std::string& text) { options.shard = checked_shard(text); },
           "Render tiles i of n, i from 0, to -o PART.exr, for `penumbra merge` [all]")
       ->type_name("i/n");
+  command
+      .add_option("--scene-hash", options.scene_hash,
+                  "Refuse to render if the scene, or a file it reads, has another hash than this [any]")
+      ->type_name("HASH");
 }
 
 }  // namespace penumbra

@@ -20,9 +20,11 @@ struct SittingOptions {
   bool resume = false;               // go on from the checkpoint, if there is one
   std::optional<double> time_limit;  // seconds
   std::optional<Shard> shard;
+  std::string scene_hash;  // what the scene's files must have, in hexadecimal digits; empty: anything
+  bool animation = false;  // finished frames remain, so it can be gone on with them without a checkpoint
 
   // Whether there is anything to do when the render is interrupted.
-  bool has_end_in_mind() const { return !checkpoint.empty() || time_limit.has_value(); }
+  bool has_end_in_mind() const { return !checkpoint.empty() || time_limit.has_value() || animation; }
 };
 
 // Adds the options to a command; parsing throws CLI::ParseError for what is no good.

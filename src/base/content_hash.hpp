@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace penumbra {
 
@@ -15,6 +16,9 @@ struct ContentHash {
 
   bool operator==(const ContentHash&) const = default;
 };
+
+// 32 hexadecimal digits.
+std::string to_hex(const ContentHash& hash);
 
 // The hash of a sequence of contents, given one after the other.
 class ContentHasher {

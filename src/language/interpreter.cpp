@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "language/near_word.hpp"
 #include "language/number.hpp"
@@ -67,9 +68,33 @@ void wrong_count(Reading& reading, const Command& command, const Line& line, std
                             fmt::format("`{}` takes {}; found {}", command.name, what_it_takes(command), found));
 }
 
-bool read_number(Reading& reading, Call& call, int i) {
+// Reads a number that is written as `{expression}`.
+bool read_expression(Reading& reading, const Call& call, int i, double& value) {
+  reading.varies = true;
+  const std::string_view word = call.word(i);
+  const std::size_t brace = word.find('}');
+  if (brace + 1 != word.size()) {
+    const std::string_view behind = word.substr(brace + 1);
+    reading.diagnostics.error(place_of(call.visit, call.line, behind),
+                              fmt::format("{} may not follow a `}}` without a blank", in_quotes(behind)));
+    return false;
+  }
+  const std::string_view text = word.substr(1, brace - 1);
+  if (const auto wrong = reading.expressions.evaluate(text, value)) {
+    const std::string_view part = wrong->part.empty() ? word : wrong->part;
+    reading.diagnostics.error(place_of(call.visit, call.line, part), wrong->sentence, wrong->hint);
+    return false;
+  }
+  if (std::abs(value) <= largest_number) return true;
+  const Moment& moment = reading.options.moment;
+  reading.diagnostics.error(
+      call.place_of_argument(i),
+      fmt::format("{} is no finite number where frame is {} and t is {}", in_quotes(word), moment.frame, moment.t));
+  return false;
+}
+
+bool read_decimal(Reading& reading, const Call& call, int i, double& value) {
   const Argument& argument = call.form.argument[static_cast<std::size_t>(i)];
-  double& value = call.number[static_cast<std::size_t>(i)];
   const std::string_view word = call.word(i);
   switch (parse_number(word, value)) {
     case NumberError::not_a_number:
@@ -83,19 +108,28 @@ bool read_number(Reading& reading, Call& call, int i) {
     case NumberError::none:
       break;
   }
+  return true;
+}
+
+bool read_number(Reading& reading, Call& call, int i) {
+  const Argument& argument = call.form.argument[static_cast<std::size_t>(i)];
+  double& value = call.number[static_cast<std::size_t>(i)];
+  const std::string_view word = call.word(i);
+  const bool is_expression = word.front() == '{';
+  if (!(is_expression ? read_expression : read_decimal)(reading, call, i, value)) return false;
   if (accepts(argument, value)) return true;
-  reading.diagnostics.error(call.place_of_argument(i),
-                            fmt::format("`{}` of `{}` has to be {}; found {}", argument.name, call.command.name,
-                                        range_of(argument), in_quotes(word)));
+  const std::string found = is_expression ? fmt::format("{}, which is {}", in_quotes(word), value) : in_quotes(word);
+  reading.diagnostics.error(call.place_of_argument(i), fmt::format("`{}` of `{}` has to be {}; found {}", argument.name,
+                                                                   call.command.name, range_of(argument), found));
   return false;
 }
 
-// An expression may contain blanks, so it is told before the words are counted.
-bool has_expression(Reading& reading, const Line& line, std::uint32_t visit, const Words& words) {
+// An expression without end takes the words behind it, so it is told before the words are counted.
+bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit, const Words& words) {
   for (int i = 1; i < std::min(words.count, Words::most); i++) {
     const std::string_view word = words.word[static_cast<std::size_t>(i)];
-    if (word.front() != '{') continue;
-    reading.diagnostics.error(place_of(visit, line, word), "numbers written as an {expression} are not there yet");
+    if (word.front() != '{' || word.find('}') != word.npos) continue;
+    reading.diagnostics.error(place_of(visit, line, word.substr(0, 1)), "this `{` has no `}` in the same line");
     return true;
   }
   return false;
@@ -103,7 +137,7 @@ bool has_expression(Reading& reading, const Line& line, std::uint32_t visit, con
 
 void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   const bool numeric = command.forms.form[0].count > 0 && command.forms.form[0].argument[0].is_number();
-  if (numeric && has_expression(reading, line, visit, words)) return;
+  if (numeric && has_open_expression(reading, line, visit, words)) return;
   const Form* const form = form_with(command, words.count - 1);
   if (form == nullptr) return wrong_count(reading, command, line, visit, words);
   Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};

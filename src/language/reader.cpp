@@ -133,6 +133,7 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
   if (!reading.diagnostics.has_error()) result.actions = reading.builder.take_actions();
   result.diagnostics = reading.diagnostics.take();
   result.files = std::move(reading.files);
+  result.varies = reading.varies;
   return result;
 }
 

@@ -12,6 +12,7 @@
 
 #include "language/command.hpp"
 #include "language/diagnostic_list.hpp"
+#include "language/expression.hpp"
 #include "language/file_bytes.hpp"
 #include "language/limits.hpp"
 #include "language/scene_builder.hpp"
@@ -28,19 +29,25 @@ struct OpenFile {
 
 struct Reading {
   Reading(const ReadOptions& read_options, FileLoader loader, const Limits& bounds)
-      : options(read_options), load(std::move(loader)), limits(bounds), builder(bounds) {}
+      : options(read_options),
+        load(std::move(loader)),
+        limits(bounds),
+        builder(bounds),
+        expressions(read_options.moment) {}
 
   ReadOptions options;
   FileLoader load;
   Limits limits;
   DiagnosticList diagnostics;
   SceneBuilder builder;
+  Expressions expressions;
 
   std::vector<OpenFile> open_files;  // the innermost last
   std::vector<std::string> files;    // all that were named, each once, as the user would find them
   std::size_t reads = 0;
   std::uint64_t bytes = 0;
 
+  bool varies = false;                    // an expression was read
   bool stray_vertex = false;              // a `vertex` outside a polygon was told; those that follow it are not
   std::uint64_t objects_in_pictures = 0;  // objects that had been added when the last picture was taken
   std::optional<Place> after_pictures;    // the first object after the last picture

@@ -37,7 +37,14 @@ struct SceneFile {
   ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless asked for
   // All files that were opened, or should have been, each once, as the user would find them.
   std::vector<std::string> files;
-  bool found = true;  // false: the scene file itself could not be opened
+  bool varies = false;  // some number is an {expression}: other moments may have other pictures
+  bool found = true;    // false: the scene file itself could not be opened
+};
+
+// What numbers written as {expression} know of the time: the number of the frame, and t, which runs from 0 to 1 over
+// the frames of an animation. A scene that is read outside an animation is at the beginning of one.
+struct Moment {
+  double frame = 0, t = 0;
 };
 
 struct ReadOptions {
@@ -45,6 +52,7 @@ struct ReadOptions {
   bool lenient = false;  // commands that only other programs know are skipped with a warning
   bool hash = false;     // the hash of the files is wanted
   bool edited = false;   // somebody may rewrite the files meanwhile: large ones are copied, not mapped
+  Moment moment = {};
 };
 
 // Reads the file and all that it names. Never throws for what the files contain.

@@ -59,6 +59,20 @@ inline std::string_view take_word(std::string_view& rest) {
   return {first, length};
 }
 
+// The same, but what begins with a brace goes on, blanks and all, to the brace that closes it and what is joined to
+// that; to the end of the line if none does.
+inline std::string_view take_argument(std::string_view& rest) {
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  if (rest.empty() || rest.front() != '{') return take_word(rest);
+  const std::string_view text = rest.substr(0, rest.find('#'));
+  const std::size_t brace = text.find('}');
+  std::size_t length = brace != text.npos ? brace : text.size();
+  while (length < text.size() && !is_blank(text[length])) length++;
+  while (is_blank(text[length - 1])) length--;
+  rest.remove_prefix(length);
+  return text.substr(0, length);
+}
+
 // The words of a line. Those behind the last that is kept are only counted.
 struct Words {
   static constexpr int most = 16;
@@ -68,7 +82,7 @@ struct Words {
 
 inline Words split_words(std::string_view line) {
   Words words;
-  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+  for (std::string_view word = take_argument(line); !word.empty(); word = take_argument(line)) {
     if (words.count < Words::most) words.word[static_cast<std::size_t>(words.count)] = word;
     if (words.count < 1'000'000'000) words.count++;
   }

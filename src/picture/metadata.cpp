@@ -45,6 +45,10 @@ Metadata metadata_for(const std::filesystem::path& file, const Scene& scene, con
     const Crop& c = *options.crop;
     add("crop", fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1));
   }
+  if (options.frame) {
+    add("frames", fmt::format("{}-{}", options.frame->first, options.frame->last));
+    add("frame", fmt::format("{}", options.frame->frame));
+  }
   if (options.noise) add("noise", fmt::format("{}", *options.noise));
   if (options.time) add("time", fmt::format("{}", *options.time));
   add_pair("lens", options.lens);

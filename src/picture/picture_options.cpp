@@ -81,6 +81,10 @@ Scene with_options(Scene scene, const PictureOptions& options) {
   }
   if (options.shutter) std::tie(scene.camera.shutter_open, scene.camera.shutter_close) = *options.shutter;
   if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
+  if (options.frame) {
+    scene.camera.shutter_open = options.frame->time_at(scene.camera.shutter_open);
+    scene.camera.shutter_close = options.frame->time_at(scene.camera.shutter_close);
+  }
   set_radii(scene.surfaces, options.gloss, &Surface::reflection, &Surface::gloss_radius);
   set_radii(scene.surfaces, options.blur, &Surface::transmission, &Surface::blur_radius);
   set_disk_radii(scene.lights, options.disk_radius);

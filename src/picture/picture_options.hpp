@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "picture/effect.hpp"
+#include "picture/frame_of_range.hpp"
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 #include "scene/scene.hpp"
@@ -33,7 +34,8 @@ struct PictureOptions {
   std::optional<std::pair<int, int>> size;
   std::optional<Crop> crop;
   std::optional<double> time;
-  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
+  std::optional<FrameOfRange> frame;  // `shutter` and `time` are then in the frame's own time
+  std::optional<double> noise;        // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> lens;     // radius, distance of the plane in focus
   std::optional<std::pair<double, double>> shutter;  // open, close
   // Later ones win. Gloss is of surfaces that reflect, blur of those that transmit; numbers count all surfaces.

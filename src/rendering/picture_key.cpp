@@ -3,15 +3,16 @@
 #include <algorithm>
 
 namespace penumbra {
-namespace {
 
 std::string value_of(const std::string& name, const PictureKey& key) {
   const auto option =
       std::find_if(key.plan.begin(), key.plan.end(), [&](const auto& entry) { return entry.first == name; });
-  return option == key.plan.end() ? "not given" : option->second;
+  return option == key.plan.end() ? not_given : option->second;
 }
 
-}  // namespace
+bool is_same_picture(const PictureKey& a, const PictureKey& b) {
+  return a.picture == b.picture && value_of("frame", a) == value_of("frame", b);
+}
 
 std::optional<KeyDifference> difference(const PictureKey& here, const PictureKey& there) {
   if (here.version != there.version) return KeyDifference{"version", here.version, there.version};

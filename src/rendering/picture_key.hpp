@@ -27,6 +27,14 @@ struct KeyDifference {
 };
 std::optional<KeyDifference> difference(const PictureKey& here, const PictureKey& there);
 
+inline constexpr const char* not_given = "not given";
+
+// The value of an option; not_given if it is not.
+std::string value_of(const std::string& name, const PictureKey& key);
+
+// Whether both are the same picture of the same frame, if of the same scene and plan.
+bool is_same_picture(const PictureKey& a, const PictureKey& b);
+
 template <class Archive, class Key>
 void exchange_key(Archive& archive, Key& key) {
   archive(key.version);

@@ -58,8 +58,6 @@ TEST(Errors, aboutTheKindOfArguments) {
        "s.cli:1:7: error: `y` of `eye` has to be a number; found `b`\n  eye a b 3\n        ^\n"},
       {"begin\nvertex 1 2 3x\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nend\n",
        "s.cli:2:12: error: `z` of `vertex` has to be a number; found `3x`\n  vertex 1 2 3x\n             ^~\n"},
-      {"eye {frame * 2} 1 3",
-       "s.cli:1:5: error: numbers written as an {expression} are not there yet\n  eye {frame * 2} 1 3\n      ^~~~~~\n"},
   });
 }
 

@@ -1,0 +1,37 @@
+// How far a job is: what its folder and Slurm say, put together.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "farm/job.hpp"
+#include "farm/slurm.hpp"
+
+namespace penumbra {
+
+struct JobStatus {
+  std::set<int> done, running, waiting;  // units
+  std::set<int> lost;                    // neither there nor known to Slurm
+  std::set<int> unknown;                 // not there, and Slurm does not answer
+  bool merged = false;                   // all pictures are written
+  bool merge_queued = false;
+  int resubmissions = 0;
+  std::string silence;                 // why Slurm does not answer; empty where it does
+  std::set<std::string> reasons;       // why tasks wait
+  std::optional<double> seconds_left;  // if as many tasks run as now
+};
+
+// `queue` is none where Slurm does not answer, and `silence` tells why.
+JobStatus status_of(const Job& job, const JobState& state, const std::vector<bool>& done,
+                    const std::optional<Queue>& queue, const std::string& silence,
+                    std::optional<double> seconds_of_unit);
+
+using WallClock = std::chrono::system_clock;
+
+std::string to_text(const Job& job, const JobStatus& status, WallClock::time_point now);
+std::string to_json(const Job& job, const JobStatus& status, WallClock::time_point now);
+
+}  // namespace penumbra

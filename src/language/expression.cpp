@@ -1,0 +1,191 @@
+// The text is cut into its parts here first: only numbers, names and signs that are known get as far as muParser, and
+// what is wrong with one of them is told at its place.
+#include "language/expression.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "language/diagnostic_list.hpp"
+#include "language/near_word.hpp"
+#include "language/number.hpp"
+#include "language/text_lines.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t longest_expression = 1000;  // bytes
+
+double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+double smallest(const double* values, int count) { return *std::min_element(values, values + count); }
+double largest(const double* values, int count) { return *std::max_element(values, values + count); }
+
+struct Function {
+  const char* name;
+  double (*value)(double);
+};
+
+constexpr std::array functions{
+    Function{"sin", [](double x) { return std::sin(x); }},     Function{"cos", [](double x) { return std::cos(x); }},
+    Function{"tan", [](double x) { return std::tan(x); }},     Function{"asin", [](double x) { return std::asin(x); }},
+    Function{"acos", [](double x) { return std::acos(x); }},   Function{"atan", [](double x) { return std::atan(x); }},
+    Function{"exp", [](double x) { return std::exp(x); }},     Function{"log", [](double x) { return std::log(x); }},
+    Function{"sqrt", [](double x) { return std::sqrt(x); }},   Function{"abs", [](double x) { return std::abs(x); }},
+    Function{"floor", [](double x) { return std::floor(x); }}, Function{"ceil", [](double x) { return std::ceil(x); }},
+    Function{"round", [](double x) { return std::round(x); }}, Function{"sign", sign_of},
+};
+constexpr std::array<std::string_view, 3> functions_of_several{"atan2", "min", "max"};
+constexpr std::array<std::string_view, 3> variables{"frame", "t", "pi"};
+// Longer ones first, so that `<=` is not taken for `<`.
+constexpr std::array<std::string_view, 18> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*",
+                                                 "/",  "^",  "(",  ")",  ",",  "?",  ":", "<", ">"};
+
+std::vector<std::string_view> all_names() {
+  std::vector<std::string_view> names(variables.begin(), variables.end());
+  for (const Function& function : functions) names.emplace_back(function.name);
+  names.insert(names.end(), functions_of_several.begin(), functions_of_several.end());
+  return names;
+}
+
+std::unique_ptr<mu::Parser> make_parser(const Moment& moment) {
+  auto parser = std::make_unique<mu::Parser>();
+  parser->ClearFun();
+  parser->ClearConst();
+  for (const Function& function : functions) parser->DefineFun(function.name, function.value);
+  parser->DefineFun("atan2", static_cast<mu::fun_type2>([](double y, double x) { return std::atan2(y, x); }));
+  parser->DefineFun("min", static_cast<mu::multfun_type>(smallest));
+  parser->DefineFun("max", static_cast<mu::multfun_type>(largest));
+  parser->DefineConst("pi", std::numbers::pi);
+  parser->DefineConst("frame", moment.frame);
+  parser->DefineConst("t", moment.t);
+  return parser;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+// The first part of an expression, which does not begin with a blank; or what is wrong with it.
+struct FirstPart {
+  std::string_view part;
+  std::optional<ExpressionError> error;
+};
+
+FirstPart first_number(std::string_view text) {
+  double ignored = 0;
+  const ParsedNumber number = parse_number(text.data(), text.data() + text.size(), ignored);
+  const std::string_view part = text.substr(0, static_cast<std::size_t>(number.end - text.data()));
+  switch (number.error) {
+    case NumberError::none:
+      return {part, std::nullopt};
+    case NumberError::too_large:
+      return {part, ExpressionError{part, fmt::format("the number {} is too large", in_quotes(part)), {}}};
+    case NumberError::not_a_number:
+      break;
+  }
+  return {part, ExpressionError{text.substr(0, 1), "a number in this expression is not complete", {}}};
+}
+
+FirstPart first_name(std::string_view text) {
+  const auto* const end =
+      std::find_if_not(text.begin(), text.end(), [](char c) { return is_letter(c) || detail::is_digit(c); });
+  const std::string_view part = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  static const std::vector<std::string_view> names = all_names();
+  if (std::find(names.begin(), names.end(), part) != names.end()) return {part, std::nullopt};
+  return {part, ExpressionError{part, fmt::format("an expression knows no {}", in_quotes(part)),
+                                did_you_mean(nearest_word(part, names))}};
+}
+
+FirstPart first_part(std::string_view text) {
+  if (detail::is_digit(text[0]) || text[0] == '.') return first_number(text);
+  if (is_letter(text[0])) return first_name(text);
+  for (const std::string_view sign : signs) {
+    if (text.starts_with(sign)) return {text.substr(0, sign.size()), std::nullopt};
+  }
+  const std::string_view part = text.substr(0, 1);
+  return {part, ExpressionError{part, fmt::format("an expression cannot have a {}", in_quotes(part)), {}}};
+}
+
+// What is wrong with the parts of an expression, one by one.
+std::optional<ExpressionError> error_in_parts(std::string_view text) {
+  for (std::string_view rest = text; !rest.empty();) {
+    if (is_blank(rest[0])) {
+      rest.remove_prefix(1);
+      continue;
+    }
+    const FirstPart first = first_part(rest);
+    if (first.error) return first.error;
+    rest.remove_prefix(first.part.size());
+  }
+  return std::nullopt;
+}
+
+std::string sentence_for(const mu::ParserError& error) {
+  switch (error.GetCode()) {
+    case mu::ecUNEXPECTED_EOF:
+      return "this expression ends too early";
+    case mu::ecMISSING_PARENS:
+      return "a `)` is missing in this expression";
+    case mu::ecMISSING_ELSE_CLAUSE:
+      return "a `?` needs a `:` and another value in this expression";
+    case mu::ecTOO_MANY_PARAMS:
+      return "a function in this expression has too many arguments";
+    case mu::ecTOO_FEW_PARAMS:
+      return "a function in this expression has too few arguments";
+    default:
+      return error.GetToken().empty()
+                 ? "this expression makes no sense"
+                 : fmt::format("{} makes no sense at this place of the expression", in_quotes(error.GetToken()));
+  }
+}
+
+// The part that an error of muParser means: it tells where the part begins, or where it ends.
+std::string_view part_of(const mu::ParserError& error, std::string_view text) {
+  const std::string& token = error.GetToken();
+  const auto at = static_cast<std::size_t>(std::max(error.GetPos(), 0));
+  for (const std::size_t begin : {at, at - std::min(at, token.size())}) {
+    if (!token.empty() && begin < text.size() && text.substr(begin).starts_with(token)) {
+      return text.substr(begin, token.size());
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Expressions::Expressions(const Moment& moment) : moment_(moment) {}
+Expressions::~Expressions() = default;
+Expressions::Expressions(Expressions&&) noexcept = default;
+
+std::optional<ExpressionError> Expressions::evaluate(std::string_view text, double& value) {
+  if (text.size() > longest_expression) {
+    return ExpressionError{
+        text.substr(0, 1), fmt::format("an expression may not have more than {} bytes", longest_expression), {}};
+  }
+  if (std::all_of(text.begin(), text.end(), is_blank)) return ExpressionError{text, "this expression is empty", {}};
+  if (auto error = error_in_parts(text)) return error;
+  if (!parser_) parser_ = make_parser(moment_);
+  try {
+    std::string in_blanks(text);
+    std::replace_if(in_blanks.begin(), in_blanks.end(), is_blank, ' ');
+    parser_->SetExpr(in_blanks);
+    int results = 0;
+    const double* const result = parser_->Eval(results);
+    if (results != 1) return ExpressionError{text, "this expression has more than one value", {}};
+    value = result[0];
+    return std::nullopt;
+  } catch (const mu::ParserError& error) {
+    return ExpressionError{part_of(error, text), sentence_for(error), {}};
+  }
+}
+
+std::string what_expressions_know() {
+  std::string names;
+  for (const Function& function : functions) names += fmt::format("`{}`, ", function.name);
+  return names + "`atan2(y, x)`, `min(...)` and `max(...)`";
+}
+
+}  // namespace penumbra

@@ -1,0 +1,42 @@
+// Numbers written as `{expression}`: arithmetic with the variables `frame` and `t`, evaluated by muParser.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "language/scene_file.hpp"
+
+namespace mu {
+class Parser;
+}
+
+namespace penumbra {
+
+// What is wrong with an expression, at which part of its text.
+struct ExpressionError {
+  std::string_view part;
+  std::string sentence;
+  std::string hint;  // may be empty
+};
+
+class Expressions {
+ public:
+  // The variables have the values of this moment.
+  explicit Expressions(const Moment& moment);
+  ~Expressions();
+  Expressions(Expressions&&) noexcept;
+
+  // The value of what stands between the braces. It may be infinite or no number.
+  std::optional<ExpressionError> evaluate(std::string_view text, double& value);
+
+ private:
+  Moment moment_;
+  std::unique_ptr<mu::Parser> parser_;  // made for the first expression
+};
+
+// "`+ - * / ^`, ..., functions: ...": what an expression may consist of, for the reference page.
+std::string what_expressions_know();
+
+}  // namespace penumbra

@@ -145,6 +145,12 @@ class LoopCluster:
         self.start("slurmctld", "slurmctld", "-D", "-f", self.configuration)
         wait_until(lambda: self.ask("sinfo") is not None, 30, "answer of the controller")
 
+    def kill_controller(self, moment):
+        """Not before it has written down what it knew at that time: it does so every few seconds, and forgets the
+        rest."""
+        wait_until(lambda: os.path.getmtime(f"{self.root}/ctld/job_state") > moment, 30, "saved state of the controller")
+        self.kill("slurmctld")
+
     def restart_controller(self):
         self.start_controller()
         self.reports_due = time.monotonic() + 10  # before, it still believes its own memory

@@ -221,6 +221,10 @@ class LoopCluster:
             job, reason = line.split(maxsplit=1)
             if reason == "BeginTime":
                 self.ask("scontrol", "update", f"JobId={job}", "StartTime=now")
+            elif "held" in reason:  # "launch failed requeued held": its node still had the task that was forgotten
+                self.ask("scontrol", "release", job)
+        for node in (self.ask("sinfo", "-h", "-N", "-t", "drain", "-o", "%N") or "").split():
+            self.ask("scontrol", "update", f"NodeName={node}", "State=RESUME")
         if self.reports_due and time.monotonic() > self.reports_due:
             self.reports_due = None
             self.ask("scontrol", "reconfigure")  # all nodes report

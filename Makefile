@@ -5,7 +5,7 @@
 #   make build      install what is missing, build the release
 #   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
 #                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
-#   make test-cluster  one frame on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
+#   make test-cluster  a frame and an animation on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
 #   make bench      compare speeds, as ratios of runs taken in turn
 #   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)

@@ -120,6 +120,7 @@ Frames read_frames(RenderOptions options, int& exit_code) {
 
 std::vector<std::string> absolute_names(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
+  names.reserve(paths.size());
   for (const fs::path& path : paths) names.push_back(fs::absolute(path).lexically_normal().string());
   return names;
 }

@@ -28,7 +28,8 @@ ImageFile preview(const PartHeader& header, const Film& film) {
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     const std::vector<float> colors = film.cut(grid.tile(tile)).color();
-    const auto pixels = static_cast<float>(colors.size() / 3);
+    const std::size_t count = colors.size() / 3;
+    const auto pixels = static_cast<float>(count);
     float* const mean = &image.rgb[3 * static_cast<std::size_t>(tile)];
     for (std::size_t i = 0; i < colors.size(); i++) mean[i % 3] += colors[i] / pixels;
   }

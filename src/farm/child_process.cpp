@@ -45,6 +45,7 @@ class Pipe {
 // -1 where it cannot be started.
 pid_t start(const std::vector<std::string>& words, posix_spawn_file_actions_t* actions) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   pid_t pid = -1;

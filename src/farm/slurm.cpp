@@ -69,7 +69,7 @@ std::vector<std::string> merge_command_after(const JobFolder& folder, const std:
 
 std::string submit(const std::vector<std::string>& command) {
   const std::string output = asked(command);
-  const std::string id = output.substr(0, output.find_first_of(";\n"));  // "ID" or "ID;CLUSTER"
+  std::string id = output.substr(0, output.find_first_of(";\n"));  // "ID" or "ID;CLUSTER"
   if (!whole_number(id)) throw SlurmError(fmt::format("`{}` gave no id of a job, but `{}`", command.front(), output));
   return id;
 }

@@ -182,7 +182,7 @@ std::optional<ExpressionError> Expressions::evaluate(std::string_view text, doub
   }
 }
 
-std::string what_expressions_know() {
+std::string functions_of_expressions() {
   std::string names;
   for (const Function& function : functions) names += fmt::format("`{}`, ", function.name);
   return names + "`atan2(y, x)`, `min(...)` and `max(...)`";

@@ -36,7 +36,7 @@ class Expressions {
   std::unique_ptr<mu::Parser> parser_;  // made for the first expression
 };
 
-// "`+ - * / ^`, ..., functions: ...": what an expression may consist of, for the reference page.
-std::string what_expressions_know();
+// "`sin`, `cos`, ...": the functions that expressions know, for the reference page.
+std::string functions_of_expressions();
 
 }  // namespace penumbra

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "language/command.hpp"
+#include "language/expression.hpp"
 
 namespace penumbra {
 namespace {
@@ -26,7 +27,8 @@ write ball.png
 ```
 
 Numbers are decimal, with or without sign, point and exponent: `2`, `-2`, `+2`, `.5`, `1e-3`. They mean the same in
-every locale. `nan`, `inf` and anything too large for single precision are errors.
+every locale. `nan`, `inf` and anything too large for single precision are errors. A number may also be an
+[`{expression}`](#expressions).
 
 The file is read from top to bottom. Commands that describe a state (the matrix, the surface, the camera) hold from
 their line on; a shape takes the matrix and surface that are current at its line. `write` and `render` take a picture of
@@ -127,6 +129,25 @@ The matrices multiply from the right: of two commands, the later is applied to a
 warning, `pop` without `push` an error.
 )";
 
+constexpr std::string_view about_expressions = R"(
+## Expressions
+
+Wherever a number may stand, an expression in braces may: `sphere 1  {4 * t - 2} 0 -5`. It is for the frames of an
+animation, `penumbra render --frames A-B` ([long-renders.md](long-renders.md#animations)): `frame` is the number of the
+frame, and `t` runs from 0 in the first frame to 1 in the last. Anywhere else (without `--frames`, in the window, for
+`penumbra check`) both are 0.
+
+Blanks are allowed between the braces; the closing brace has to be in the same line. There are
+
+- `+`, `-`, `*`, `/`, `^` (power: `-2^2` is -4 and `2^3^2` is 512) and parentheses;
+- `<`, `<=`, `>`, `>=`, `==`, `!=`, `&&`, `||`, which are 1 or 0, and `a ? b : c`;
+- the number `pi`;
+- the functions FUNCTIONS; angles are in radians.
+
+The value has to be finite, and in the range of what it stands for, in every frame: all frames are read before the first
+is rendered.
+)";
+
 constexpr std::string_view ending = R"(
 ## The switch `--course`
 
@@ -214,6 +235,9 @@ std::string language_markdown() {
     }
     page += section.text;
   }
+  std::string expressions(about_expressions);
+  constexpr std::string_view functions = "FUNCTIONS";
+  page += expressions.replace(expressions.find(functions), functions.size(), functions_of_expressions());
   page += ending;
   return page;
 }

@@ -147,6 +147,7 @@ def undisturbed(farm, expected, units, words):
 def disturbed(farm, expected, units, words):
     cluster = farm.cluster
     farm.submit(*words)
+    submitted = time.time()
     running = wait_until(lambda: len(farm.renders()) == 3 and farm.renders(), PATIENCE, "three tasks at a time")
     slow, interrupted = sorted(running)[:2]
     Slowed(running[slow])
@@ -167,8 +168,7 @@ def disturbed(farm, expected, units, words):
     killed = wait_until(on_n2, PATIENCE, "task on n2", cluster.hurry)[0]
     cluster.kill_node("n2")
     print(f"  n2 is dead, and shard {killed} with it", flush=True)
-    time.sleep(0.5)
-    cluster.kill("slurmctld")
+    cluster.kill_controller(submitted)
     status = farm.status()
     require(not status["slurm"] and status["unknown"] and status["done"] > 0, status)
     farm.run("collect", farm.output, code=65)

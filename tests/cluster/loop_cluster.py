@@ -145,6 +145,12 @@ class LoopCluster:
         self.start("slurmctld", "slurmctld", "-D", "-f", self.configuration)
         wait_until(lambda: self.ask("sinfo") is not None, 30, "answer of the controller")
 
+    def kill_controller(self, moment):
+        """Not before it has written down what it knew at that time: it does so every few seconds, and forgets the
+        rest."""
+        wait_until(lambda: os.path.getmtime(f"{self.root}/ctld/job_state") > moment, 30, "saved state of the controller")
+        self.kill("slurmctld")
+
     def restart_controller(self):
         self.start_controller()
         self.reports_due = time.monotonic() + 10  # before, it still believes its own memory
@@ -215,6 +221,10 @@ class LoopCluster:
             job, reason = line.split(maxsplit=1)
             if reason == "BeginTime":
                 self.ask("scontrol", "update", f"JobId={job}", "StartTime=now")
+            elif "held" in reason:  # "launch failed requeued held": its node still had the task that was forgotten
+                self.ask("scontrol", "release", job)
+        for node in (self.ask("sinfo", "-h", "-N", "-t", "drain", "-o", "%N") or "").split():
+            self.ask("scontrol", "update", f"NodeName={node}", "State=RESUME")
         if self.reports_due and time.monotonic() > self.reports_due:
             self.reports_due = None
             self.ask("scontrol", "reconfigure")  # all nodes report

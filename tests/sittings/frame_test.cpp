@@ -229,9 +229,9 @@ TEST_F(FrameTest, joinTheirMotion) {
     for (std::size_t i = 0; i < mean.size(); i++) largest = std::max(largest, std::abs(mean[i] - whole[i]));
     return largest;
   };
-  EXPECT_LT(difference_of_mean({}), 0.01);
-  EXPECT_GT(difference_of_mean({"--shutter", "0,0.9"}), 0.02) << "the test sees a gap";
-  EXPECT_GT(difference_of_mean({"--shutter", "0,1.1"}), 0.02) << "the test sees an overlap";
+  EXPECT_LT(difference_of_mean({}), 0.005);
+  EXPECT_GT(difference_of_mean({"--shutter", "0,0.75"}), 0.02) << "the test sees a gap";
+  EXPECT_GT(difference_of_mean({"--shutter", "0,1.25"}), 0.02) << "the test sees an overlap";
 }
 
 class VideoTest : public FrameTest {

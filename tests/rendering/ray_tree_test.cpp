@@ -39,7 +39,8 @@ void check_tree(const Frame& frame, const Kernel& kernel, int x, int y, std::uin
       EXPECT_EQ(ray.depth, tree.rays[static_cast<std::size_t>(ray.parent)].depth + 1);
       EXPECT_EQ(ray.time, tree.rays.front().time) << "one time for all rays of a sample";
     }
-    if (ray.kind != RayKind::shadow) EXPECT_EQ(sum_of(tree, i), color_of(ray)) << "ray " << i;
+    if (ray.kind == RayKind::shadow) continue;
+    EXPECT_EQ(sum_of(tree, i), color_of(ray)) << "ray " << i;
   }
   EXPECT_EQ(value_in_film(frame, tree), rendered_sample(frame, kernel, x, y, sample));
 }

@@ -6,6 +6,7 @@
 #   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
 #                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
 #   make bench      compare speeds, as ratios of runs taken in turn
+#   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
 #   make format     format the code
@@ -19,8 +20,10 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
 WINDOW_EVENTS ?= 10000
+PEERS_FLAGS ?=
 
-.PHONY: demo test build test-long bench instructions check-instructions lint format docs gallery fuzz window-events clean
+.PHONY: demo test build test-long bench bench-peers instructions check-instructions lint format docs gallery fuzz \
+  window-events clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -58,6 +61,11 @@ bench: build
 	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
 	@scripts/install-dependencies.sh test
 	@bench/window_latency.py --penumbra $(BUILD)/penumbra
+
+# Debian's own python3, which has Debian's numpy and matplotlib.
+bench-peers: build
+	@scripts/install-dependencies.sh peers
+	@/usr/bin/python3 bench/peers/compare.py --penumbra $(BUILD)/penumbra $(PEERS_FLAGS)
 
 instructions: build
 	@scripts/install-dependencies.sh instructions

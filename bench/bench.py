@@ -112,25 +112,43 @@ image_size 300 300
 background .2 .4 .8
 disk_light 2 5 -4  .9  0 -1 0  .8 .8 .8
 light -5 5 5  .15 .15 .15
-diffuse .63 .63 .63  .07 .07 .07
-box -40 -1.1 -60  40 -1 10
+{ground}
 glossy .64 .24 .16  .3 .3 .3  50  0 0
 mesh {mesh}
 """
+
+GROUND = """diffuse .63 .63 .63  .07 .07 .07
+begin
+vertex -40 -1 10
+vertex 40 -1 10
+vertex 40 -1 -60
+end
+begin
+vertex -40 -1 10
+vertex 40 -1 -60
+vertex -40 -1 -60
+end"""
 
 
 def compare_with_embree(mesh_replay, bumpy_sphere, turns):
     if not has_avx512():
         print("Embree: skipped, this machine has no AVX-512\n")
         return
-    print("Renders of meshes against the same packets sent through Embree alone, 300x300, 1 thread:\n", flush=True)
+    print("Renders of meshes against Embree alone, 300x300, 1 thread: against the packets that reach the mesh, then "
+          "against\nall rays through one Embree scene, the ground in it:\n", flush=True)
     with tempfile.TemporaryDirectory() as folder:
+        def write_scene(name, rows, *ground):
+            path = os.path.join(folder, name)
+            subprocess.run([bumpy_sphere, str(rows), path + ".ply", *ground], check=True)
+            with open(path + ".cli", "w") as file:
+                file.write(MESH_SCENE.format(mesh=name + ".ply", ground="" if ground else GROUND))
+            return path + ".cli"
+
         for rows, rays in [(188, 64), (708, 64), (2237, 16)]:
-            subprocess.run([bumpy_sphere, str(rows), os.path.join(folder, f"{rows}.ply")], check=True)
-            scene = os.path.join(folder, f"sphere-{rows}.cli")
-            with open(scene, "w") as file:
-                file.write(MESH_SCENE.format(mesh=f"{rows}.ply"))
-            subprocess.run(pinned([mesh_replay, scene, str(rays), str(turns)]), check=True)
+            scene = write_scene(f"sphere-{rows}", rows)
+            with_ground = write_scene(f"sphere-and-ground-{rows}", rows, "ground")
+            subprocess.run(pinned([mesh_replay, scene, scene, str(rays), str(turns)]), check=True)
+            subprocess.run(pinned([mesh_replay, scene, with_ground, "16", str(turns)]), check=True)
 
 
 def compare_threads(penumbra, turns):

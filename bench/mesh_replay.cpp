@@ -1,7 +1,8 @@
-// How much of a render of triangle meshes is Embree itself: renders a scene on one thread, and sends the same packets
-// of rays through Embree again without sampling and shading, each kind of ray with the context flag that is best for
-// it. The scenes of the replay have our flags and no filter. Prints the seconds of both and their ratio. Usage:
-// mesh_replay SCENE.cli [RAYS] [TURNS]
+// How a render of triangle meshes compares with Embree alone: renders a scene on one thread, and sends packets of rays
+// through Embree without sampling and shading, each kind of ray with the context flag that is best for it. The packets
+// are those that the meshes of a second scene get: with the same scene, what Embree does in the render; with a scene
+// whose mesh holds the other shapes too, all rays. Embree's scenes have our flags and no filter. Prints the seconds of
+// both and their ratio. Usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,28 +133,35 @@ void remove_filters(const Frame& frame) {
   }
 }
 
-int run(const char* path, std::uint32_t rays, int turns) {
-  const Kernel* kernel = kernel_from_name(usable_kernels(), "avx512");
-  if (kernel == nullptr) throw std::runtime_error("needs a machine with AVX-512 and a program built for it");
+Frame frame_of(const char* path, std::uint32_t rays) {
   const SceneFile file = read_scene(path, {});
   for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(stderr, "{}", to_string(diagnostic));
   if (file.actions.empty()) throw std::runtime_error("no picture in this scene");
-  const Scene& scene = *std::get<Picture>(file.actions.front()).scene;
   TracingOptions options;
   options.rays_per_pixel = static_cast<int>(rays);
-  Frame frame = make_frame(scene, options, 1);
+  Frame frame = make_frame(*std::get<Picture>(file.actions.front()).scene, options, 1);
   if (frame.world.meshes.empty()) throw std::runtime_error("no mesh in this scene that is large enough for Embree");
-  const Frame raw = make_frame(scene, options, 1);
-  remove_filters(raw);
+  return frame;
+}
 
+void record(const char* path, const Kernel& kernel, std::uint32_t rays) {
+  Frame frame = frame_of(path, rays);
   EmbreeLibrary recording = embree_library();
   recording.rtcIntersect16 = record_intersect;
   recording.rtcOccluded16 = record_occluded;
   recorder.embree = &embree_library();
   recorder.scenes = scenes_of(frame);
   for (Mesh& mesh : frame.world.meshes) mesh.embree = &recording;
-  render(frame, *kernel, rays);
-  for (Mesh& mesh : frame.world.meshes) mesh.embree = &embree_library();
+  render(frame, kernel, rays);
+}
+
+int run(const char* rendered_path, const char* replayed_path, std::uint32_t rays, int turns) {
+  const Kernel* kernel = kernel_from_name(usable_kernels(), "avx512");
+  if (kernel == nullptr) throw std::runtime_error("needs a machine with AVX-512 and a program built for it");
+  record(replayed_path, *kernel, rays);
+  const Frame frame = frame_of(rendered_path, rays);
+  const Frame raw = frame_of(replayed_path, rays);
+  remove_filters(raw);
 
   std::vector<double> ours, ratios;
   std::vector<double> best[4];
@@ -171,8 +179,8 @@ int run(const char* path, std::uint32_t rays, int turns) {
     }
     ratios.push_back(rendered.seconds / embree);
   }
-  fmt::print("{}: {} triangles, {} rays a pixel, {:.1f} Mrays\n\n", path, frame.world.triangle_count, rays,
-             static_cast<double>(counts.total()) * 1e-6);
+  fmt::print("{}: {} triangles, {} rays a pixel, {:.1f} Mrays; packets of {}\n\n", rendered_path,
+             frame.world.triangle_count, rays, static_cast<double>(counts.total()) * 1e-6, replayed_path);
   fmt::print("| what | packets | seconds |\n| --- | --: | --: |\n");
   for (int k = 0; k < 4; k++) {
     if (recorder.kinds[k].queries.empty()) continue;
@@ -187,13 +195,13 @@ int run(const char* path, std::uint32_t rays, int turns) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    fmt::print(stderr, "usage: mesh_replay SCENE.cli [RAYS] [TURNS]\n");
+  if (argc < 3) {
+    fmt::print(stderr, "usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]\n");
     return 64;
   }
   try {
-    return run(argv[1], argc > 2 ? static_cast<std::uint32_t>(std::stoul(argv[2])) : 16,
-               argc > 3 ? std::stoi(argv[3]) : 5);
+    return run(argv[1], argv[2], argc > 3 ? static_cast<std::uint32_t>(std::stoul(argv[3])) : 16,
+               argc > 4 ? std::stoi(argv[4]) : 5);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mesh_replay: {}\n", error.what());
     return 1;

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(!complaints_about(parts).empty());
   parts.pop_back();
   if (!complaints.empty()) return 0;
-  const Film film = merge(parts);
+  Film film = merge(parts);
   try {
     const ImageFile image = develop(film, development_from(parts[0].header().development));
     require(image.image.rgb.size() == 3 * static_cast<std::size_t>(film.crop().width()) * film.crop().height());

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that a goal needs (build, test, lint; machines: what tests/machines runs on;
-# instructions: what bench/instructions.py counts with), and only those that are missing: with everything there, no
-# package manager is called and no network is needed. Only apt runs with root's rights.
+# instructions: what bench/instructions.py counts with; peers: what bench/peers compares with), and only those that are
+# missing: with everything there, no package manager is called and no network is needed. Only apt runs with root's rights.
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev libcli11-dev
@@ -12,6 +12,7 @@ test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 machines_packages=(qemu-user)
 instructions_packages=(valgrind)
+peers_packages=(povray blender python3-numpy python3-openimageio python3-matplotlib)
 
 case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;
@@ -19,8 +20,9 @@ case "${1:-}" in
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
   machines) wanted=("${machines_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
+  peers) wanted=("${peers_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|machines|instructions" >&2
+    echo "usage: $0 build|test|lint|machines|instructions|peers" >&2
     exit 64
     ;;
 esac

@@ -22,13 +22,13 @@ def main():
     def open_window(scene, *options):
         return Window(display, penumbra, scene, *options, folder=folder)
 
-    def take(window, name):
+    def take(window, name, height=640):
         # The picture of the last event is on the screen two frames after it.
         frame = window.state["frame"]
         window.move(9, 9)
         window.move(3, 3)
         window.wait(lambda s: s["frame"] >= frame + 2, "another frame", since=frame)
-        window.screenshot(os.path.join(IMAGES, "view-" + name + ".png"), (0, 0, 1100, 640))
+        window.screenshot(os.path.join(IMAGES, "view-" + name + ".png"), (0, 0, 1100, height))
         window.close()
 
     size = ("--window", "1100x640")
@@ -49,12 +49,12 @@ def main():
         window.press("v", lambda s: s["split"] and s["done"] and s["picture_task"] == s["task"], "two halves")
         take(window, "split")
 
-        window = open_window("s07b.cli", "--rays", "64", *size)
+        window = open_window("s07b.cli", "--rays", "64", "--window", "1100x760")
         state = window.wait_for_rays(64)
         x, y, width, height = state["picture"]
         window.click(x + width * 0.5, y + height * 0.55)
         window.wait(lambda s: "inspection" in s, "the inspector")
-        take(window, "inspector")
+        take(window, "inspector", 760)
 
         with open(os.path.join(ROOT, "scenes", "s02b.cli")) as file:
             text = file.read()

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 
 #include "app/finished_files.hpp"
@@ -40,6 +41,9 @@ constexpr int exit_software = 70;
 constexpr int exit_interrupted = 75;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Of all threads since the program started. Where others use the processor too, this says more than time by the clock.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
@@ -228,7 +232,9 @@ class RenderRun {
     {
       const std::uint64_t samples = pixels * static_cast<std::uint64_t>(job.scene.rays_per_pixel);
       const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, samples);
+      const double cpu_start = cpu_seconds();
       finished = sitting_.run(*render, job.key, state);
+      stats_.render_cpu_seconds += cpu_seconds() - cpu_start;
     }
     note(frame, kernel, plan);
     if (render->unfinished_pixels() > 0 && !options_.quiet) {
@@ -237,22 +243,23 @@ class RenderRun {
     }
 
     start = Clock::now();
-    const Film film = render->take_film();
-    write(job, film, finished, files, static_cast<double>(pixels));
+    Film film = render->take_film();
+    const double rays_per_pixel = static_cast<double>(film.total_samples()) / static_cast<double>(pixels);
+    write(job, std::move(film), finished, files, rays_per_pixel);
     stats_.write_seconds += seconds_since(start);
     return finished;
   }
 
-  void write(const Job& job, const Film& film, bool finished, const std::vector<std::filesystem::path>& files,
-             double pixels) const {
+  void write(const Job& job, Film film, bool finished, const std::vector<std::filesystem::path>& files,
+             double rays_per_pixel) const {
     const auto write_one = [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
       write_file_atomically(path, bytes);
-      if (!options_.quiet) tell(path, job.plan, film, pixels);
+      if (!options_.quiet) tell(path, job.plan, rays_per_pixel);
     };
     Development development = job.development;
     if (!options_.sitting.shard) {
       if (!finished && options_.frame) development.metadata.pop_back();  // its content is another
-      const ImageFile image = develop(film, development);
+      const ImageFile image = develop(std::move(film), development);
       const Quantization quantization{development.bits, development.rounding};
       for (const auto& path : files) write_one(path, encode_image(image, format_of(path), quantization));
     } else if (finished) {  // half a part is of no use to anyone: the checkpoint has what there is
@@ -262,9 +269,8 @@ class RenderRun {
     }
   }
 
-  void tell(const std::filesystem::path& path, const Plan& plan, const Film& film, double pixels) const {
+  void tell(const std::filesystem::path& path, const Plan& plan, double rays_per_pixel) const {
     const Spent& spent = sitting_.spent();
-    const double rays_per_pixel = static_cast<double>(film.total_samples()) / pixels;
     const std::string rays = options_.noise ? fmt::format("{:.1f} rays per pixel on average", rays_per_pixel)
                                             : fmt::format("{} rays per pixel", std::round(10 * rays_per_pixel) / 10);
     fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),

@@ -16,6 +16,7 @@ std::string to_json(const RenderStats& s) {
   json["parse_seconds"] = s.parse_seconds;
   json["build_seconds"] = s.build_seconds;
   json["render_seconds"] = s.render_seconds;
+  json["render_cpu_seconds"] = s.render_cpu_seconds;
   json["write_seconds"] = s.write_seconds;
   json["rays"] = {{"camera", s.rays.camera},
                   {"shadow", s.rays.shadow},

@@ -10,6 +10,7 @@ namespace penumbra {
 
 struct RenderStats {
   double parse_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
+  double render_cpu_seconds = 0;  // of all threads
   RayCounts rays;
   std::uint64_t samples = 0;  // of all pixels: camera rays
   int threads = 0;

@@ -37,22 +37,32 @@ void expose(Image& image, double exposure) {
   for (float& value : image.rgb) value = static_cast<float>(value * exposure);
 }
 
-ImageFile develop(const Film& film, const Development& development) {
+Image develop_color(const Film& film, const Development& development) {
   const Crop& crop = film.crop();
+  Image image{crop.width(), crop.height(), film.color()};
+  for (const PaintedRect& rect : development.rects) paint(image, crop, development.full_height, rect);
+  expose(image, exposure_factor(development.exposure_halves));
+  return image;
+}
+
+ImageFile develop(Film film, const Development& development) {
+  const Crop& crop = film.crop();
+  const Layers& layers = film.layers();
   ImageFile file;
-  file.image = {crop.width(), crop.height(), film.color()};
   file.window = {crop.x0, crop.y0, crop.x1, crop.y1};
   file.full_width = development.full_width;
   file.full_height = development.full_height;
   file.metadata = development.metadata;
-  for (const PaintedRect& rect : development.rects) paint(file.image, crop, development.full_height, rect);
-  expose(file.image, exposure_factor(development.exposure_halves));
-  const Layers& layers = film.layers();
-  if (layers.depth) add_layer(file, "depth", "Z", film.depth());
-  if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());
-  if (layers.albedo) add_layer(file, "albedo", "RGB", film.albedo());
   if (layers.variance) add_layer(file, "variance", "RGB", film.variance());
+  film.forget_variance();
+  if (layers.depth) add_layer(file, "depth", "Z", film.depth());
+  film.forget_depth();
+  if (layers.normal) add_layer(file, "normal", "XYZ", film.normal());
+  film.forget_normal();
+  if (layers.albedo) add_layer(file, "albedo", "RGB", film.albedo());
+  film.forget_albedo();
   if (layers.samples) add_layer(file, "samples", "Y", film.pixel_samples());
+  file.image = develop_color(film, development);
   return file;
 }
 

@@ -7,7 +7,11 @@
 
 namespace penumbra {
 
-ImageFile develop(const Film& film, const Development& development);
+// The film's memory is freed layer by layer, as the picture takes its place.
+ImageFile develop(Film film, const Development& development);
+
+// Its colours alone.
+Image develop_color(const Film& film, const Development& development);
 
 // Multiplies all colours.
 void expose(Image& image, double exposure);

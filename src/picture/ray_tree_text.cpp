@@ -36,7 +36,7 @@ std::string hit_of(const RecordedRay& ray) {
 
 std::string result_of(const RecordedRay& ray) {
   if (ray.kind == RayKind::shadow) {
-    const std::string back = fmt::format("came back {}", ray.came_back[0]);
+    std::string back = fmt::format("came back {}", ray.came_back[0]);
     if (ray.came_back[0] == 0) return back;
     return fmt::format("{}, factor {}, adds {}", back, words(ray.factor), words(ray.adds));
   }

@@ -57,10 +57,20 @@ class Film {
   std::vector<float> variance() const;       // estimated variance of the pixel's mean: r, g, b; 0 below two samples
   std::vector<float> pixel_samples() const;  // how many each pixel has
 
+  // Frees the sums of a layer, which cannot be asked for after that. Colours go last: the variance needs them too.
+  void forget_depth() { free_plane(depth_); }
+  void forget_normal() { free_plane(normal_); }
+  void forget_albedo() { free_plane(albedo_); }
+  void forget_variance() { free_plane(squares_), free_plane(variance_); }
+
  private:
   std::size_t pixel_count() const;
   std::size_t pixel_at(int x, int y) const;
   std::vector<float> means(const std::vector<double>& sums) const;
+  template <class Plane>
+  static void free_plane(Plane& plane) {
+    Plane().swap(plane);  // the assignment of an empty list would keep the memory
+  }
   // Calls `visit(plane)` for each plane of numbers that there is.
   template <class Self, class Visit>
   static void for_planes(Self& self, const Visit& visit);

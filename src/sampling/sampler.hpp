@@ -17,9 +17,9 @@ namespace penumbra::PENUMBRA_KERNEL {
 // What stays the same for all samples of the pixels of a packet.
 struct PixelSampler {
   Ints column, row;
-  Ints key;                // one hash for each pixel, the seed mixed in
-  std::uint32_t word = 0;  // the same, where all lanes belong to one pixel
-  bool is_one = false;     // whether they do
+  Ints key;                      // one hash for each pixel, the seed mixed in
+  std::uint32_t scalar_key = 0;  // the same, where all lanes belong to one pixel
+  bool one_pixel = false;        // whether they do
   Ints joint_key[joint_dimension_count];
 
   // `Word` is std::uint32_t where all lanes belong to one pixel, else Ints.
@@ -29,8 +29,8 @@ struct PixelSampler {
     const Word pixel_key = hash(hash(pixel_column, pixel_row), Word(seed));
     key = Ints(pixel_key);
     if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-      word = pixel_key;
-      is_one = true;
+      scalar_key = pixel_key;
+      one_pixel = true;
     }
     for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = Ints(hash(pixel_key, Word(d)));
   }
@@ -45,8 +45,8 @@ class Sampler {
       : choice_(&choice),
         pixel_(&pixel),
         key_(pixel.key),
-        word_(pixel.word),
-        is_one_(pixel.is_one),
+        scalar_key_(pixel.scalar_key),
+        one_pixel_(pixel.one_pixel),
         sample_((lane_numbers() & Ints(static_cast<std::uint32_t>(samples_per_pixel - 1))) + Ints(first)),
         index_(sample_),
         count_(choice.count),
@@ -56,7 +56,7 @@ class Sampler {
       const std::uint32_t block = first / largest_sobol_table;
       if (block > 0) {
         key_ = hash(key_, Ints(block));
-        word_ = hash(word_, block);
+        scalar_key_ = hash(scalar_key_, block);
       }
     } else if (needs_count(choice.pattern)) {
       const Ints pass = divide(index_, Ints(count_));
@@ -77,7 +77,7 @@ class Sampler {
   // Two later dimensions. `dimension` is a hash that names them.
   PENUMBRA_INLINE Pair pair(std::uint32_t dimension) const {
     if (choice_->pattern == Pattern::sobol) {
-      return is_one_ ? sobol_pair_at(word_, dimension) : sobol_pair_at(key_, Ints(dimension));
+      return one_pixel_ ? sobol_pair_at(scalar_key_, dimension) : sobol_pair_at(key_, Ints(dimension));
     }
     const Ints key = hash(key_, Ints(dimension));
     return other_pair(key, mix_bits(key + Ints(second_of_pair)), dimension);
@@ -86,7 +86,8 @@ class Sampler {
   // One later dimension.
   PENUMBRA_INLINE Floats single(std::uint32_t dimension) const {
     if (choice_->pattern == Pattern::sobol) {
-      return is_one_ ? sobol_single(hash(word_, dimension), index_) : sobol_single(hash(key_, Ints(dimension)), index_);
+      return one_pixel_ ? sobol_single(hash(scalar_key_, dimension), index_)
+                        : sobol_single(hash(key_, Ints(dimension)), index_);
     }
     return other_single(hash(key_, Ints(dimension)), dimension);
   }
@@ -106,7 +107,7 @@ class Sampler {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
     sampler.key_ = hash(key_, index_ + Ints(0x2545f491u));
-    sampler.is_one_ = false;
+    sampler.one_pixel_ = false;
     sampler.index_ = Ints(k);
     sampler.count_ = rays;
     return sampler;
@@ -117,7 +118,7 @@ class Sampler {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
     sampler.key_ = hash(key_, Ints(k));
-    sampler.is_one_ = false;
+    sampler.one_pixel_ = false;
     sampler.branch_ = hash(branch_, k);
     return sampler;
   }
@@ -220,9 +221,9 @@ class Sampler {
 
   const PatternChoice* choice_;
   const PixelSampler* pixel_;
-  Ints key_;            // of the pixel, and of the block of samples
-  std::uint32_t word_;  // the same, where `is_one_`: all lanes belong to one pixel
-  bool is_one_;
+  Ints key_;                  // of the pixel, and of the block of samples
+  std::uint32_t scalar_key_;  // the same, where `one_pixel_`: all lanes belong to one pixel
+  bool one_pixel_;
   Ints sample_;                // its number in its pixel
   Ints index_;                 // of the point wanted
   std::uint32_t count_;        // of the points

@@ -90,8 +90,9 @@ struct PixelSums {
     for (int c = 0; c < 3; c++) {
       alignas(64) std::uint32_t quanta[lane_count];
       store(quanta, color.sums[c]);
-      for (int lane = 0; lane < lane_count; lane++)
+      for (int lane = 0; lane < lane_count; lane++) {
         values[c][lane] += static_cast<std::int32_t>(quanta[lane]) * quantum;
+      }
     }
     color = {};
   }

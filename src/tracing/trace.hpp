@@ -113,24 +113,33 @@ inline Floats highlight(const Material& material, Float3 normal, Float3 toward_l
   return select(material.whole_power == Ints(0u), pow(base, material.specular_power), power);
 }
 
-// The light that arrives from the lights. `shading` is the normal for N.L, `facing` the one on the viewer's side.
+// The normals of hits: for N.L, and on the viewer's side.
+struct Normals {
+  Float3 shading, facing;
+  bool same;  // whether they are, in all lanes that hit
+};
+
+// The light that arrives from the lights.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                           Float3 shading, Float3 facing, int depth, TreePlace place) {
+                           const Normals& normals, int depth, TreePlace place) {
   const TracingOptions& options = c.frame.options;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
   Rays shadow;
   shadow.time = rays.time;
-  shadow.origin = hits.point + facing * (hits.magnitude * Floats(surface_offset));
+  shadow.origin = hits.point + normals.facing * (hits.magnitude * Floats(surface_offset));
   shadow.nearest = hits.magnitude * Floats(blind_distance);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
-    const Floats cosine = max(dot(shading, sample.toward), zero);
+    const Floats toward_light = dot(normals.shading, sample.toward);
+    const Floats cosine = max(toward_light, zero);
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
     // From behind, the surface itself is in the way.
-    if (options.shadows && !options.transparent_shadows) lit &= dot(facing, sample.toward) > zero;
+    if (options.shadows && !options.transparent_shadows) {
+      lit &= (normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero;
+    }
     Floats visible = Floats(1);
     if (options.shadows && any(lit)) {
       shadow.direction = sample.toward;
@@ -146,18 +155,19 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     if (none(lit)) return Float3{zero, zero, zero};
     Float3 reflected = material.diffuse * cosine;
     if (material.any_specular) {
-      reflected += material.specular * highlight(material, shading, sample.toward, rays.direction);
+      reflected += material.specular * highlight(material, normals.shading, sample.toward, rays.direction);
     }
-    return keep(lit, reflected * sample.radiance * visible);
+    reflected = reflected * sample.radiance;
+    return keep(lit, options.transparent_shadows ? reflected * visible : reflected);
   };
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
     const bool has_area = c.frame.lights[number].kind == LightKind::disk;
     const std::uint32_t points = has_area ? rays_of_hit(options.shadow_rays, place) : 1;
-    const Floats share = Floats(1.0f / static_cast<float>(points));
     for (std::uint32_t k = 0; k < points; k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
-      const Float3 brought = from_point(number, random) * share;
+      const Float3 light_of_point = from_point(number, random);
+      const Float3 brought = points == 1 ? light_of_point : light_of_point * Floats(1.0f / static_cast<float>(points));
       if (c.recorder) [[unlikely]]
         c.recorder->lit(brought);
       sum += brought;
@@ -252,19 +262,22 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   }
 
   const Material material = material_at(c.frame, hits);
-  const Mask behind = dot(hits.normal, rays.direction) > Floats(0);
-  const Float3 facing = select(behind, -hits.normal, hits.normal);
-  const Float3 shading = select(hits.two_sided, facing, hits.normal);
+  const Mask behind = hits.found & (dot(hits.normal, rays.direction) > Floats(0));
+  Normals normals{hits.normal, hits.normal, none(behind)};
+  if (!normals.same) {
+    normals.facing = select(behind, -hits.normal, hits.normal);
+    normals.shading = select(hits.two_sided, normals.facing, hits.normal);
+  }
   if (first) {
     first->distance = hits.distance;
-    first->normal = shading;
+    first->normal = normals.shading;
     first->albedo = material.diffuse;
   }
   if (c.recorder) [[unlikely]]
-    c.recorder->surface(material.ambient, shading, depth);
-  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, shading, facing, depth, place);
+    c.recorder->surface(material.ambient, normals.shading, depth);
+  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, depth, place);
   if (material.any_reflection && depth < c.frame.options.max_depth) {
-    reflected += indirect_light(c, rays, hits, material, facing, ~behind, depth, place);
+    reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
   }
   color += keep(hits.found, reflected);
   if (c.recorder) [[unlikely]]

@@ -60,7 +60,7 @@ void GrowingPicture::keep() {
 }
 
 RefinedSide GrowingPicture::side() const {
-  return {options_, scene_, frame_, develop(film_, {scene_->width, scene_->height, rects_, {}}).image, error_.error()};
+  return {options_, scene_, frame_, develop_color(film_, {scene_->width, scene_->height, rects_, {}}), error_.error()};
 }
 
 }  // namespace penumbra

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 
 #include "picture/metadata.hpp"
 #include "picture/ray_tree_text.hpp"
@@ -76,12 +77,24 @@ class Plotter {
   std::vector<int> light_;
 };
 
+// As one word of a shell.
+std::string quoted(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-_./,:+=@%").find(c) != std::string_view::npos;
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 std::string command_for(const Refinement& picture, const RefinedSide& side, const InspectedSample& at) {
   Scene scene = *side.scene;
   scene.rays_per_pixel = static_cast<int>(picture.rays);
   PictureOptions options = side.options;
   options.exposure_halves = 0;
-  std::string command = "penumbra render " + picture.loaded->path.string();
+  std::string command = "penumbra render " + quoted(picture.loaded->path.string());
   for (const auto& [key, value] : metadata_for(picture.loaded->path, scene, options)) {
     if (key == "scene" || key == "version") continue;
     command += value == "yes" ? " --" + key : fmt::format(" --{} {}", key, value);
@@ -96,6 +109,8 @@ Inspection inspect(const Refinement& picture, const Kernel& kernel, const Inspec
   const Frame& frame = *side.frame;
   Inspection inspection;
   inspection.at = at;
+  const std::size_t pixel = static_cast<std::size_t>(at.y) * side.image.width + at.x;
+  std::copy_n(&side.image.rgb[3 * pixel], 3, inspection.so_far.begin());
   inspection.tree = trace_sample(frame, kernel, at.x, at.y, at.sample, picture.rays);
   inspection.text = ray_tree_text(frame, inspection.tree, at.x, at.y, at.sample);
   inspection.command = command_for(picture, side, at);

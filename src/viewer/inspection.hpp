@@ -1,6 +1,7 @@
 // What one pixel saw: the values of its samples so far, where they lie, and the rays of one of them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct DotPlot {
 
 struct Inspection {
   InspectedSample at;
+  std::array<float, 3> so_far{};  // the pixel's value, of all its samples
   RayTree tree;
   std::string text;
   std::string command;         // of `penumbra render` that prints the same text

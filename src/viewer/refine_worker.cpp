@@ -88,12 +88,12 @@ void RefineWorker::run() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return quit_ || next_; });
     if (quit_) break;
-    RefineTask task = std::move(*next_);
+    const RefineTask task = std::move(*next_);
     next_.reset();
     task_ = next_number_;
     limit_ = task.limit;
     lock.unlock();
-    work_on(std::move(task));
+    work_on(task);
   }
   const std::lock_guard lock(mutex_);
   ended_ = true;
@@ -171,7 +171,7 @@ bool RefineWorker::grow(const std::shared_ptr<const LoadedScene>& loaded, const 
   }
 }
 
-void RefineWorker::work_on(RefineTask task) try {
+void RefineWorker::work_on(const RefineTask& task) try {
   const std::shared_ptr<const LoadedScene> loaded = loaded_scene(task);
   if (!loaded) return;
   // A picture that has more rays than it should have by now is drawn anew.

@@ -36,7 +36,7 @@ class RefineWorker {
   bool wait_for_end(std::chrono::steady_clock::time_point deadline);
 
  private:
-  void work_on(RefineTask task);
+  void work_on(const RefineTask& task);
   // Draws the pictures until there is another task; true if they have to be begun again for a lower limit.
   bool grow(const std::shared_ptr<const LoadedScene>& loaded, const std::vector<PictureOptions>& sides);
   // Reads the file if it has to be; null if there is nothing to show.

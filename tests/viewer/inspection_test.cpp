@@ -59,6 +59,17 @@ TEST_F(InspectionTest, TextIsTheOneOfItsCommand) {
   }
 }
 
+TEST_F(InspectionTest, CommandNamesAnyFile) {
+  Refinement picture = picture_of({}, 2);
+  LoadedScene loaded = *picture.loaded;
+  loaded.path = folder_ / "Anna's $scene.cli";
+  std::filesystem::copy_file(folder_ / "a.cli", loaded.path);
+  picture.loaded = std::make_shared<const LoadedScene>(std::move(loaded));
+  const Inspection inspection = inspect(picture, kernel_, {0, 20, 15, 1});
+  const std::string program = std::string(PENUMBRA_PROGRAM).substr(0, std::string(PENUMBRA_PROGRAM).rfind('/') + 1);
+  EXPECT_EQ(test::run_program(program + inspection.command).output, inspection.text) << inspection.command;
+}
+
 TEST_F(InspectionTest, SamplesAddUpToThePixel) {
   const Refinement picture = picture_of({}, 16);
   const RefinedSide& side = picture.sides.front();
@@ -66,7 +77,9 @@ TEST_F(InspectionTest, SamplesAddUpToThePixel) {
   for (std::uint32_t i = 0; i < 16; i++) {
     sum += value_in_film(*side.frame, inspect(picture, kernel_, {0, 20, 15, i}).tree)[0];
   }
-  EXPECT_NEAR(sum / 16, side.image.rgb[3 * (15 * 40 + 20)], 1e-7);
+  const Inspection inspection = inspect(picture, kernel_, {0, 20, 15, 0});
+  EXPECT_NEAR(sum / 16, inspection.so_far[0], 1e-7);
+  for (std::size_t c = 0; c < 3; c++) EXPECT_EQ(inspection.so_far[c], side.image.rgb[3 * (15 * 40 + 20) + c]);
 }
 
 TEST_F(InspectionTest, PlotsEveryDistribution) {

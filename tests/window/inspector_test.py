@@ -37,6 +37,23 @@ class InspectorTests(Tests):
         window.screenshot(self.path("plain.png"), (x, y, width, height))
         self.assert_other_picture(self.path("with.png"), self.path("plain.png"))
 
+    def test_is_not_clicked_through(self):
+        """What is done with the inspector's own window is not done with the picture below it."""
+        self.put("tiny.cli", SCENE)
+        window = self.open("tiny.cli", "--rays", "4")
+        state = window.wait_for_rays(4)
+        x, y, width, height = state["picture"]
+        window.click(x + width * 0.36, y + height * 0.2)
+        before = window.wait(lambda s: "inspector" in s, "the inspector")
+        left, top, inspector_width, inspector_height = before["inspector"]
+        place = (left + inspector_width // 2, (max(top, y) + min(top + inspector_height, y + height)) // 2)
+        assert x < place[0] < x + width and top < place[1] < top + inspector_height, "it should lie over the picture"
+        window.mouse("mousemove", *place, "click", 1, "click", 4)
+        # Events are answered in their order.
+        state = window.press("h", lambda s: s["help"], "help")
+        assert state["inspection"]["pixel"] == before["inspection"]["pixel"], state["inspection"]["pixel"]
+        assert state["zoom"] == before["zoom"] and state["picture"] == before["picture"], state["picture"]
+
     def test_follows_the_picture(self):
         self.put("tiny.cli", SCENE)
         window = self.open("tiny.cli", "--rays", "4")

@@ -1,6 +1,7 @@
 """Every key of the help, pressed for real."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -58,11 +59,24 @@ class KeyTests(Tests):
         window.press("2", lambda s: s["scene"].endswith("s02b.cli") and current(s), "s02b.cli")
 
     def test_help(self):
-        window = self.open_tiny()
-        window.press("h", lambda s: s["help"], "help")
+        window = self.open_tiny("--rays", "4")
+        window.wait_for_rays(4)
+        window.screenshot(self.path("plain.png"))
+        state = window.press("h", lambda s: s["help"], "help")
+        window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
+        window.screenshot(self.path("help.png"))
+        self.assert_other_picture(self.path("plain.png"), self.path("help.png"))
         window.press("question", lambda s: not s["help"], "no help")
         window.press("question", lambda s: s["help"], "help")
         window.press("h", lambda s: not s["help"], "no help")
+
+    def test_status_line(self):
+        window = self.open_tiny("--rays", "8")
+        state = window.wait_for_rays(8)
+        assert re.fullmatch(r"tiny\.cli   8 rays per pixel of 8 \(done\)   \d+\.\d Mrays/s   \d+\.\d s   "
+                            r"sobol, error 0\.\d{4}", state["status"]), state["status"]
+        state = window.press("l", lambda s: current(s) and s["done"] and s["sides"][0]["without"], "no lens")
+        assert state["status"].endswith(", without lens"), state["status"]
 
     def test_pause(self):
         window = self.open_tiny()

@@ -127,6 +127,18 @@ class MouseTests(Tests):
         self.click_knob(window, "lens 0", lambda s: s["sides"][0]["without"] == "")
         self.click_knob(window, "sampler 0", lambda s: True)
 
+    def test_seed(self):
+        window = self.open_tiny()
+        x, y = window.state["knobs"]["seed"]
+        before = window.state["frame"]
+        window.mouse("mousemove", x, y, "mousedown", 1)
+        window.wait(lambda s: s["typing"], "the field to take the keys", since=before)
+        window.mouse("mouseup", 1)
+        window.key("ctrl+a", "7", "Return")
+        state = window.wait(lambda s: s["seed"] == 7 and shown(s) and not s["typing"], "the seed")
+        assert "seed 7\n" in state["changed"], state["changed"]
+        self.check_seen(window, "--seed", "7")
+
     def test_typed_numbers_are_no_keys(self):
         """Keys typed into a field of the panel do not load scenes."""
         window = self.open_tiny()

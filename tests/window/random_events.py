@@ -6,6 +6,7 @@ usage: random_events.py PENUMBRA [--events N] [--seed S]"""
 import argparse
 import os
 import random
+import re
 import sys
 import tempfile
 import time
@@ -76,6 +77,16 @@ def random_event(chance, window, folder):
     return []
 
 
+def only_drivers_leak(output):
+    """Whether all that is reported was leaked by libraries that are unloaded by then, as drivers of OpenGL are. They have
+    no name any more that could be suppressed; the program itself always has one."""
+    if output.count("ERROR:") != 1 or "ERROR: LeakSanitizer" not in output or "runtime error" in output:
+        return False
+    leaks = re.split(r"(?m)^(?:Direct|Indirect) leak", output)[1:]
+    callers = [line for leak in leaks for line in re.findall(r"(?m)^ +#[1-9].*", leak)]
+    return bool(callers) and all("<unknown module>" in caller for caller in callers)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("penumbra")
@@ -120,7 +131,7 @@ def main():
         window.close()
     display.close()
     print("%d events, exit code %d" % (done, code))
-    if code != 0 or "Sanitizer" in output or "runtime error" in output:
+    if (code != 0 or "Sanitizer" in output or "runtime error" in output) and not only_drivers_leak(output):
         print(output)
         return 1
     return 0

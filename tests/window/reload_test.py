@@ -83,6 +83,21 @@ class ReloadTests(Tests):
         self.save_and_wait(window, "diffuse 0.1 0.9 0.1 0 0 0\n", "part.cli")
         self.check_seen(window, "whole.cli")
 
+    def test_mesh_that_is_read(self):
+        triangle = "v -1 %s -3\nv 1 %s -3\nv 0 1 -3\nf 1 2 3\n"
+        self.put("part.obj", triangle % (-1, -1))
+        self.put("whole.cli", SCENE + "mesh part.obj\n")
+        window = self.open("whole.cli", "--rays", "4")
+        window.wait(shown, "the picture")
+        self.check_seen(window, "whole.cli")
+        self.save_and_wait(window, triangle % (0, 0.5), "part.obj")
+        self.check_seen(window, "whole.cli")
+        before = window.state["frame"]
+        self.put("part.obj", "f 1 2 3\n")
+        window.wait(lambda s: "part.obj:1" in s["error"], "an error", since=before)
+        self.save_and_wait(window, triangle % (-1, 0.5), "part.obj")
+        self.check_seen(window, "whole.cli")
+
     def test_what_was_changed_stays(self):
         window = self.open_tiny()
         window.press("l", lambda s: shown(s) and s["sides"][0]["without"] == "lens", "no lens")

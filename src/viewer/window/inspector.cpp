@@ -83,12 +83,12 @@ void draw_plot(const DotPlot& plot, std::uint32_t chosen) {
 
 }  // namespace
 
-void draw_inspector(const Session& session) {
+std::optional<WindowArea> draw_inspector(const Session& session) {
   const auto& inspection = session.inspection();
-  if (!inspection || !session.picture()) return;
+  if (!inspection || !session.picture()) return {};
   draw_rays(session, *inspection);
   const WindowArea& area = session.view().area();
-  const double height = std::min(300.0, area.height * 0.45);
+  const double height = std::min(340.0, area.height * 0.45);
   // In the half of the window where the pixel is not.
   const double pixel = session.view().in_window(inspection->at.x, inspection->at.y).y;
   const bool above = pixel > area.y + area.height / 2.0;
@@ -103,12 +103,17 @@ void draw_inspector(const Session& session) {
       if (i > 0) ImGui::SameLine();
       draw_plot(inspection->plots[i], inspection->at.sample);
     }
-    ImGui::TextDisabled("%u of %u samples; the arrow keys step through them", inspection->shown,
-                        session.picture()->rays);
+    const auto& [red, green, blue] = inspection->so_far;
+    ImGui::Text("so far %.7g %.7g %.7g, the mean of %u samples", double{red}, double{green}, double{blue},
+                session.picture()->rays);
+    ImGui::TextDisabled("%u of them above; the arrow keys step through them", inspection->shown);
     ImGui::TextUnformatted(inspection->text.c_str());
     ImGui::TextDisabled("%s", inspection->command.c_str());
   }
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::End();
+  return WindowArea{static_cast<int>(corner.x), static_cast<int>(corner.y), static_cast<int>(size.x),
+                    static_cast<int>(size.y)};
 }
 
 }  // namespace penumbra

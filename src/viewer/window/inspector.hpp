@@ -1,10 +1,13 @@
 // The pixel inspector: the rays of one sample as lines over the picture and as text, and where the samples lie.
 #pragma once
 
+#include <optional>
+
 #include "viewer/session.hpp"
 
 namespace penumbra {
 
-void draw_inspector(const Session& session);
+// Returns where its text and plots are, if there are any.
+std::optional<WindowArea> draw_inspector(const Session& session);
 
 }  // namespace penumbra

@@ -12,16 +12,18 @@ namespace {
 constexpr double click_reach = 3;    // pixels that a hand may move while it clicks
 constexpr double divider_reach = 6;  // pixels from the divider where it can be caught
 
-bool is_over_picture(const Session& session, PlaceInWindow place) {
-  const WindowArea& area = session.view().area();
-  const bool inside =
-      place.x >= area.x && place.y >= area.y && place.x < area.x + area.width && place.y < area.y + area.height;
-  return inside && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+bool is_in(const WindowArea& area, PlaceInWindow place) {
+  return place.x >= area.x && place.y >= area.y && place.x < area.x + area.width && place.y < area.y + area.height;
 }
 
 PlaceInWindow place_of(int x, int y) { return {static_cast<double>(x), static_cast<double>(y)}; }
 
 }  // namespace
+
+bool Mouse::is_over_picture(const Session& session, PlaceInWindow place) const {
+  if (!is_in(session.view().area(), place) || (covered_ && is_in(*covered_, place))) return false;
+  return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
 
 void Mouse::press(const Session& session) {
   if (!is_over_picture(session, cursor_)) return;

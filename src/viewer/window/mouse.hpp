@@ -13,18 +13,22 @@ class Mouse {
  public:
   void handle(Session& session, const SDL_Event& event);
   PlaceInWindow cursor() const { return cursor_; }
+  // A part of the picture's part of the window that something lies over, which gets the mouse there.
+  void set_covered(const std::optional<WindowArea>& area) { covered_ = area; }
   // The place of a click that was neither a drag nor outside the picture's part of the window; once for each.
   std::optional<PlaceInWindow> take_click() { return std::exchange(click_, std::nullopt); }
 
  private:
   enum class Dragging { nothing, press, picture, divider };
 
+  bool is_over_picture(const Session& session, PlaceInWindow place) const;
   void press(const Session& session);
   void move(Session& session, PlaceInWindow to);
 
   PlaceInWindow cursor_, pressed_;
   Dragging dragging_ = Dragging::nothing;
   std::optional<PlaceInWindow> click_;
+  std::optional<WindowArea> covered_;
 };
 
 }  // namespace penumbra

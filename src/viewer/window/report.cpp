@@ -12,7 +12,7 @@ Report::Report(const std::filesystem::path& file) {
 }
 
 void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-                   const std::vector<KnobPlace>& knob_places, bool typing) {
+                   const std::vector<KnobPlace>& knob_places, const std::optional<WindowArea>& inspector, bool typing) {
   if (!file_.is_open()) return;
   const auto& picture = session.picture();
   const Knobs knobs = session.knobs();
@@ -49,10 +49,15 @@ void Report::frame(const Session& session, int window_width, int window_height, 
   };
   if (const auto& inspection = session.inspection()) {
     const InspectedSample& at = inspection->at;
-    line["inspection"] = {
-        {"side", at.side},          {"pixel", {at.x, at.y}},          {"sample", at.sample},
-        {"text", inspection->text}, {"command", inspection->command}, {"plots", inspection->plots.size()}};
+    line["inspection"] = {{"side", at.side},
+                          {"pixel", {at.x, at.y}},
+                          {"sample", at.sample},
+                          {"text", inspection->text},
+                          {"command", inspection->command},
+                          {"plots", inspection->plots.size()},
+                          {"so_far", inspection->so_far}};
   }
+  if (inspector) line["inspector"] = {inspector->x, inspector->y, inspector->width, inspector->height};
   auto& places = line["knobs"] = nlohmann::ordered_json::object();
   for (const KnobPlace& knob : knob_places) places[knob.label] = {knob.x, knob.y};
   auto& sides = line["sides"] = nlohmann::ordered_json::array();

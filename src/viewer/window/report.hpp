@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "viewer/session.hpp"
 #include "viewer/window/panel.hpp"
@@ -15,7 +16,7 @@ class Report {
   explicit Report(const std::filesystem::path& file);
 
   void frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-             const std::vector<KnobPlace>& knobs, bool typing);
+             const std::vector<KnobPlace>& knobs, const std::optional<WindowArea>& inspector, bool typing);
 
  private:
   std::ofstream file_;

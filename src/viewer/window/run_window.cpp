@@ -24,6 +24,7 @@ constexpr std::chrono::milliseconds longest_wait(25);
 // Dear ImGui answers to some events a frame or two later. Those frames do not hurry: drawing takes time from rendering.
 constexpr int frames_after_event = 2;
 constexpr std::chrono::milliseconds settle_interval(30);
+constexpr std::chrono::milliseconds settle_interval_before_picture(200);
 // An event that asks for another picture is answered with that picture, if it comes soon.
 constexpr std::chrono::milliseconds wait_for_picture(40);
 constexpr std::chrono::milliseconds patience_at_end(100);
@@ -142,12 +143,14 @@ class WindowLoop {
     window_.begin_frame(mouse_.cursor());
     layer_.draw(session_);
     const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
-    draw_inspector(session_);
+    const std::optional<WindowArea> inspector = draw_inspector(session_);
+    mouse_.set_covered(inspector);
     draw_overlays(session_, width, height);
     window_.end_frame();
-    next_draw_ = frames_to_settle_ > 0 ? Clock::now() + settle_interval : Clock::time_point::max();
+    const auto interval = session_.picture_is_current() ? settle_interval : settle_interval_before_picture;
+    next_draw_ = frames_to_settle_ > 0 ? Clock::now() + interval : Clock::time_point::max();
     frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
-    report_.frame(session_, width, height, events_, knobs, ImGui::GetIO().WantTextInput);
+    report_.frame(session_, width, height, events_, knobs, inspector, ImGui::GetIO().WantTextInput);
   }
 
   SdlWindow window_;

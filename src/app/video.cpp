@@ -118,6 +118,7 @@ class Ffmpeg {
   // It reads from `input` and may write to `output`.
   Ffmpeg(const fs::path& program, std::vector<std::string> arguments, int input, int output, const fs::path& video) {
     std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
     posix_spawn_file_actions_t files;
@@ -168,7 +169,7 @@ fs::path find_ffmpeg() {
   while (!folders.empty()) {
     const std::string_view folder = folders.substr(0, folders.find(':'));
     folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
-    const fs::path program = fs::path(folder) / "ffmpeg";
+    fs::path program = fs::path(folder) / "ffmpeg";
     std::error_code error;
     if (!folder.empty() && fs::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0) return program;
   }

@@ -36,7 +36,7 @@ bool double_samples(int x, int y, PixelNoise& noise, const TileRefinement::Place
     return false;
   }
   const ColorSum end = color_sum(view, pixel);
-  const SquaredDifference parts = squared_difference(middle - before, end - middle, n / 2);
+  const SquaredDifference parts = squared_difference(middle - before, end - middle, n / 2.0);
   noise = doubled_noise(noise, before, end - before, in_parts ? &parts : nullptr);
   place.film.set_samples(here, 2 * n);
   return true;

@@ -9,11 +9,16 @@ namespace {
 
 class CheckpointOption : public SittingTest {
  protected:
-  // A checkpoint of a render with these arguments that is far from its end.
+  // A checkpoint of a render with these arguments that is not at its end, however fast the machine is.
   void begin(const Words& arguments) const {
-    ASSERT_EQ(render(arguments + Words{"--checkpoint", checkpoint_, "--time-limit", "0.3s", "-o", picture_}), 75)
-        << said();
-    std::filesystem::remove(picture_);
+    int exit_code = 0;
+    for (const char* limit : {"0.3s", "0.1s", "0.03s", "0.01s", "0.001s"}) {
+      std::filesystem::remove(checkpoint_);
+      exit_code = render(arguments + Words{"--checkpoint", checkpoint_, "--time-limit", limit, "-o", picture_});
+      std::filesystem::remove(picture_);
+      if (exit_code != 0) break;
+    }
+    ASSERT_EQ(exit_code, 75) << said();
   }
   int resume(const Words& arguments) const {
     return render(arguments + Words{"--checkpoint", checkpoint_, "--resume", "-o", picture_});

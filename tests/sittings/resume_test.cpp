@@ -85,7 +85,7 @@ TEST(PictureSoFar, IsTheMeanOfWhatThereIs) {
   RenderState state;
   const StoppingKernel kernel(state.stop);
   const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
-  StoppingKernel::stop_in_call(17);  // 12 tiles: all have 16 samples, some 32
+  StoppingKernel::stop_in_call(35 + 17);  // 35 quarters of 12 tiles: all have 16 samples, some 32
   render->run(state);
   ASSERT_FALSE(render->is_finished());
   const FilmValues so_far = values_of(render->take_film());
@@ -108,7 +108,7 @@ TEST(PictureSoFar, IsTheMeanOfWhatThereIs) {
     ASSERT_EQ(so_far.depth[i], expected.depth[i]);
     ASSERT_EQ(so_far.samples[i], expected.samples[i]);
   }
-  EXPECT_EQ(with_second, 3 * 256 + 80 + 256);  // the fourth tile of a row is five pixels wide
+  EXPECT_EQ(with_second, 3 * 256 + 80 + 3 * 64);  // the fourth tile of a row is five pixels wide
 }
 
 // Of an adaptive render, too: after the first round there is a picture of everything.

@@ -3,7 +3,8 @@
 #include "language/expression.hpp"
 
 #include <fmt/format.h>
-#include <muParser.h>
+#include <muParserDef.h>
+#include <muParserError.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "language/diagnostic_list.hpp"
+#include "language/mu_parser_library.hpp"
 #include "language/near_word.hpp"
 #include "language/number.hpp"
 #include "language/text_lines.hpp"
@@ -52,18 +54,24 @@ std::vector<std::string_view> all_names() {
   return names;
 }
 
-std::unique_ptr<mu::Parser> make_parser(const Moment& moment) {
-  auto parser = std::make_unique<mu::Parser>();
-  parser->ClearFun();
-  parser->ClearConst();
-  for (const Function& function : functions) parser->DefineFun(function.name, function.value);
-  parser->DefineFun("atan2", static_cast<mu::fun_type2>([](double y, double x) { return std::atan2(y, x); }));
-  parser->DefineFun("min", static_cast<mu::multfun_type>(smallest));
-  parser->DefineFun("max", static_cast<mu::multfun_type>(largest));
-  parser->DefineConst("pi", std::numbers::pi);
-  parser->DefineConst("frame", moment.frame);
-  parser->DefineConst("t", moment.t);
-  return parser;
+std::shared_ptr<void> make_parser(const Moment& moment) {
+  const MuParserLibrary& library = mu_parser_library();
+  std::shared_ptr<void> handle(library.mupCreate(muBASETYPE_FLOAT), library.mupRelease);
+  void* const parser = handle.get();
+  library.mupClearFun(parser);
+  library.mupClearConst(parser);
+  constexpr muBool_t may_be_folded = 1;
+  for (const Function& function : functions) {
+    library.mupDefineFun1(parser, function.name, function.value, may_be_folded);
+  }
+  library.mupDefineFun2(
+      parser, "atan2", [](double y, double x) { return std::atan2(y, x); }, may_be_folded);
+  library.mupDefineMultFun(parser, "min", smallest, may_be_folded);
+  library.mupDefineMultFun(parser, "max", largest, may_be_folded);
+  library.mupDefineConst(parser, "pi", std::numbers::pi);
+  library.mupDefineConst(parser, "frame", moment.frame);
+  library.mupDefineConst(parser, "t", moment.t);
+  return handle;
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -123,8 +131,8 @@ std::optional<ExpressionError> error_in_parts(std::string_view text) {
   return std::nullopt;
 }
 
-std::string sentence_for(const mu::ParserError& error) {
-  switch (error.GetCode()) {
+std::string sentence_for(int code, std::string_view token) {
+  switch (code) {
     case mu::ecUNEXPECTED_EOF:
       return "this expression ends too early";
     case mu::ecMISSING_PARENS:
@@ -136,16 +144,14 @@ std::string sentence_for(const mu::ParserError& error) {
     case mu::ecTOO_FEW_PARAMS:
       return "a function in this expression has too few arguments";
     default:
-      return error.GetToken().empty()
-                 ? "this expression makes no sense"
-                 : fmt::format("{} makes no sense at this place of the expression", in_quotes(error.GetToken()));
+      return token.empty() ? "this expression makes no sense"
+                           : fmt::format("{} makes no sense at this place of the expression", in_quotes(token));
   }
 }
 
 // The part that an error of muParser means: it tells where the part begins, or where it ends.
-std::string_view part_of(const mu::ParserError& error, std::string_view text) {
-  const std::string& token = error.GetToken();
-  const auto at = static_cast<std::size_t>(std::max(error.GetPos(), 0));
+std::string_view part_of(int position, std::string_view token, std::string_view text) {
+  const auto at = static_cast<std::size_t>(std::max(position, 0));
   for (const std::size_t begin : {at, at - std::min(at, token.size())}) {
     if (!token.empty() && begin < text.size() && text.substr(begin).starts_with(token)) {
       return text.substr(begin, token.size());
@@ -156,10 +162,6 @@ std::string_view part_of(const mu::ParserError& error, std::string_view text) {
 
 }  // namespace
 
-Expressions::Expressions(const Moment& moment) : moment_(moment) {}
-Expressions::~Expressions() = default;
-Expressions::Expressions(Expressions&&) noexcept = default;
-
 std::optional<ExpressionError> Expressions::evaluate(std::string_view text, double& value) {
   if (text.size() > longest_expression) {
     return ExpressionError{
@@ -168,18 +170,26 @@ std::optional<ExpressionError> Expressions::evaluate(std::string_view text, doub
   if (std::all_of(text.begin(), text.end(), is_blank)) return ExpressionError{text, "this expression is empty", {}};
   if (auto error = error_in_parts(text)) return error;
   if (!parser_) parser_ = make_parser(moment_);
-  try {
-    std::string in_blanks(text);
-    std::replace_if(in_blanks.begin(), in_blanks.end(), is_blank, ' ');
-    parser_->SetExpr(in_blanks);
-    int results = 0;
-    const double* const result = parser_->Eval(results);
-    if (results != 1) return ExpressionError{text, "this expression has more than one value", {}};
-    value = result[0];
-    return std::nullopt;
-  } catch (const mu::ParserError& error) {
-    return ExpressionError{part_of(error, text), sentence_for(error), {}};
+  const MuParserLibrary& library = mu_parser_library();
+  void* const parser = parser_.get();
+  std::string in_blanks(text);
+  std::replace_if(in_blanks.begin(), in_blanks.end(), is_blank, ' ');
+  int results = 0;
+  const double* result = nullptr;
+  library.mupSetExpr(parser, in_blanks.c_str());
+  bool failed = library.mupError(parser) != 0;
+  if (!failed) {
+    result = library.mupEvalMulti(parser, &results);
+    failed = library.mupError(parser) != 0;
   }
+  if (failed || result == nullptr) {
+    const std::string token = library.mupGetErrorToken(parser);
+    return ExpressionError{
+        part_of(library.mupGetErrorPos(parser), token, text), sentence_for(library.mupGetErrorCode(parser), token), {}};
+  }
+  if (results != 1) return ExpressionError{text, "this expression has more than one value", {}};
+  value = result[0];
+  return std::nullopt;
 }
 
 std::string functions_of_expressions() {

@@ -8,10 +8,6 @@
 
 #include "language/scene_file.hpp"
 
-namespace mu {
-class Parser;
-}
-
 namespace penumbra {
 
 // What is wrong with an expression, at which part of its text.
@@ -24,16 +20,14 @@ struct ExpressionError {
 class Expressions {
  public:
   // The variables have the values of this moment.
-  explicit Expressions(const Moment& moment);
-  ~Expressions();
-  Expressions(Expressions&&) noexcept;
+  explicit Expressions(const Moment& moment) : moment_(moment) {}
 
   // The value of what stands between the braces. It may be infinite or no number.
   std::optional<ExpressionError> evaluate(std::string_view text, double& value);
 
  private:
   Moment moment_;
-  std::unique_ptr<mu::Parser> parser_;  // made for the first expression
+  std::shared_ptr<void> parser_;  // muParser's handle, made for the first expression
 };
 
 // "`sin`, `cos`, ...": the functions that expressions know, for the reference page.

@@ -6,7 +6,7 @@
 #   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
 #                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
 #   make test-cluster  a frame and an animation on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
-#   make bench      compare speeds, as ratios of runs taken in turn
+#   make bench      compare speeds, as ratios of runs taken in turn, also with the last tag or with BEFORE=REVISION
 #   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
 #   make instructions  write down how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
@@ -22,6 +22,7 @@ BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
 WINDOW_EVENTS ?= 10000
 PEERS_FLAGS ?=
+BEFORE ?= $(shell git describe --tags --abbrev=0 2> /dev/null)
 
 .PHONY: demo test build test-long test-cluster bench bench-peers instructions check-instructions lint format docs \
   gallery fuzz window-events clean
@@ -63,7 +64,7 @@ window-events:
 bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
 	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
-	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere
+	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere --before "$(BEFORE)"
 	@scripts/install-dependencies.sh test
 	@bench/window_latency.py --penumbra $(BUILD)/penumbra
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
-and AVX-512 are at hand), rays per second of the project's own scenes, and the speed of reading. What is compared is run
-in turn in the same run; a table shows medians and the median of the ratios of each turn."""
+and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, two
+threads against one, meshes against Embree alone, and the speed of reading. What is compared is run in turn in the same
+run; a table shows medians and the median of the ratios of each turn."""
 
 import argparse
 import json
@@ -107,6 +108,36 @@ def rays_per_second(penumbra, turns):
     print()
 
 
+def build_revision(revision):
+    """Builds another revision of the project in a folder of its own, and returns the program."""
+    folder = os.path.join(ROOT, "build", "before")
+    if not os.path.isdir(folder):
+        subprocess.run(["git", "clone", "--quiet", "--no-checkout", ROOT, folder], check=True)
+    subprocess.run(["git", "-C", folder, "fetch", "--quiet", "--tags"], check=True)
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", revision + "^{commit}"], check=True, capture_output=True,
+                            text=True).stdout.strip()
+    subprocess.run(["git", "-C", folder, "checkout", "--quiet", "--detach", commit], check=True)
+    for step in (["--preset", "release", "-DPENUMBRA_TESTS=OFF"], ["--build", "--preset", "release"]):
+        subprocess.run(["cmake", *step], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    return os.path.join(folder, "build/release/penumbra")
+
+
+def compare_with_revision(penumbra, revision, turns):
+    if not revision:
+        print("An earlier revision: skipped, there is no tag (make bench BEFORE=REVISION)\n")
+        return
+    before = build_revision(revision)
+    print(f"Render seconds against those of {revision}, 1 thread, 16 rays per pixel, {turns} turns:\n")
+    print("| scene | then s | now s | now / then |\n| --- | --: | --: | --: |")
+    for scene in ["demo"] + [f"s0{n}b" for n in range(1, 10)]:
+        path = os.path.join(ROOT, "scenes", scene + ".cli")
+        pairs = [[render(program, path, "--rays", "16")["render_seconds"] for program in (before, penumbra)]
+                 for _ in range(turns)]
+        then, now = (statistics.median(values) for values in zip(*pairs))
+        print(f"| {scene} | {then:.3f} | {now:.3f} | {statistics.median(b / a for a, b in pairs):.2f} |")
+    print()
+
+
 MESH_SCENE = """fov 60
 image_size 300 300
 background .2 .4 .8
@@ -144,11 +175,25 @@ def compare_with_embree(mesh_replay, bumpy_sphere, turns):
                 file.write(MESH_SCENE.format(mesh=name + ".ply", ground="" if ground else GROUND))
             return path + ".cli"
 
+        def write_instances(name, rows):
+            """49 smaller copies of the mesh in a square."""
+            path = write_scene(name, rows)
+            with open(path) as file:
+                text = file.read()
+            with open(path, "w") as file:
+                file.write(text + "named_object ball\n")
+                for i in range(49):
+                    file.write(f"push\ntranslate {i % 7 - 3} {i // 7 - 3} 0\ntranslate 0 0 -4\nscale .4 .4 .4\n"
+                               "translate 0 0 4\ninstance ball\npop\n")
+            return path
+
         for rows, rays in [(188, 64), (708, 64), (2237, 16)]:
             scene = write_scene(f"sphere-{rows}", rows)
             with_ground = write_scene(f"sphere-and-ground-{rows}", rows, "ground")
             subprocess.run(pinned([mesh_replay, scene, scene, str(rays), str(turns)]), check=True)
             subprocess.run(pinned([mesh_replay, scene, with_ground, "16", str(turns)]), check=True)
+        scene = write_instances("instances-188", 188)
+        subprocess.run(pinned([mesh_replay, scene, scene, "16", str(turns)]), check=True)
 
 
 def compare_threads(penumbra, turns):
@@ -174,10 +219,12 @@ def main():
     parser.add_argument("--parse-bench")
     parser.add_argument("--mesh-replay")
     parser.add_argument("--bumpy-sphere")
+    parser.add_argument("--before", default="", help="a revision of the project to compare with")
     parser.add_argument("--turns", type=int, default=5)
     arguments = parser.parse_args()
     peers = os.environ.get("PENUMBRA_PEERS_DIR", os.path.join(ROOT, "../shared/peers"))
     compare_with_prototype(arguments.penumbra, peers, arguments.turns)
+    compare_with_revision(arguments.penumbra, arguments.before, min(arguments.turns, 3))
     rays_per_second(arguments.penumbra, min(arguments.turns, 3))
     compare_threads(arguments.penumbra, arguments.turns)
     if arguments.mesh_replay and arguments.bumpy_sphere:

@@ -23,8 +23,9 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 NAME = "the picture's \"file\".exr"
 SHARDS = 24
 FRAMES = 12
-OPTIONS = ["--size", "480x270", "--rays", "48", "--aov", "depth,samples"]
-ANIMATION = ["--frames", f"1-{FRAMES}", "--size", "240x180", "--rays", "48"]
+# Enough rays for each part to be caught while it is rendered.
+OPTIONS = ["--size", "480x270", "--rays", "192", "--aov", "depth,samples"]
+ANIMATION = ["--frames", f"1-{FRAMES}", "--size", "240x180", "--rays", "256"]
 PATIENCE = 150  # seconds for one job, also where the processors are busy with other things
 
 
@@ -150,9 +151,8 @@ def disturbed(farm, expected, units, words):
     submitted = time.time()
     running = wait_until(lambda: len(farm.renders()) == 3 and farm.renders(), PATIENCE, "three tasks at a time")
     slow, interrupted = sorted(running)[:2]
-    Slowed(running[slow])
-    time.sleep(0.1)
     running[interrupted].send(signal.SIGTERM)
+    Slowed(running[slow])
     print(f"  shard {slow} is ten times slower, {interrupted} has to end, exit code 75", flush=True)
 
     wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts", cluster.hurry)

@@ -1,11 +1,13 @@
 // Files with parts of a picture from arbitrary bytes: refused, or put together to a picture.
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "invariants.hpp"
+#include "picture/develop.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace penumbra;
@@ -23,9 +25,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   parts.pop_back();
   if (!complaints.empty()) return 0;
   Film film = merge(parts);
+  const Crop crop = film.crop();
   try {
-    const ImageFile image = develop(film, development_from(parts[0].header().development));
-    require(image.image.rgb.size() == 3 * static_cast<std::size_t>(film.crop().width()) * film.crop().height());
+    const ImageFile image = develop(std::move(film), development_from(parts[0].header().development));
+    require(image.image.rgb.size() == 3 * static_cast<std::size_t>(crop.width()) * crop.height());
   } catch (const ArchiveError&) {
   }
   return 0;

@@ -37,7 +37,7 @@ std::shared_ptr<const Frame> GrowingPicture::frame_for(std::uint32_t count) cons
 }
 
 void GrowingPicture::prepare(const Pass& pass) {
-  drawn_.emplace(pass, frame_for(pass.count), pass.first == 0 ? empty_film(*scene_) : film_, 0);
+  drawn_ = Drawn{pass, frame_for(pass.count), pass.first == 0 ? empty_film(*scene_) : film_, 0};
 }
 
 bool GrowingPicture::draw(const Kernel& kernel, int threads, RenderState& state) {

@@ -18,7 +18,7 @@ std::filesystem::path first_scene(const std::filesystem::path& given) {
   if (!std::filesystem::is_directory(given, error)) return given;
   for (int number = 1; number <= 9; number++) {
     for (const bool twin : {false, true}) {
-      const std::filesystem::path path = scene_of_key(given, number, twin);
+      std::filesystem::path path = scene_of_key(given, number, twin);
       if (std::filesystem::exists(path, error)) return path;
     }
   }

@@ -13,6 +13,11 @@ const Words layers = {"--aov", "depth,normal,albedo,variance,samples"};
 
 class Kill : public SittingTest {
  protected:
+  void SetUp() override {
+    SittingTest::SetUp();
+    if (scaled(1, 0) == 0) GTEST_SKIP() << "under a sanitizer, so many renders take minutes";
+  }
+
   // Kills a render `kills` times at random moments of its first `seconds`, then lets it end.
   void kill_and_resume(const Words& arguments, int kills, double seconds, std::mt19937& random) const {
     const Words command =

@@ -20,6 +20,7 @@ CMAKE_FLAGS ?=
 PRESET ?= release
 BUILD := build/$(PRESET)
 FUZZ_SECONDS ?= 300
+FUZZ_ORDER ?= 0
 WINDOW_EVENTS ?= 10000
 PEERS_FLAGS ?=
 BEFORE ?= $(shell git describe --tags --abbrev=0 2> /dev/null)
@@ -102,7 +103,7 @@ fuzz:
 	@scripts/install-dependencies.sh lint
 	@cmake --preset fuzz $(CMAKE_FLAGS) > /dev/null
 	@cmake --build --preset fuzz -j $(JOBS) --target fuzzers
-	@scripts/fuzz.sh build/fuzz/fuzz $(FUZZ_SECONDS)
+	@scripts/fuzz.sh build/fuzz/fuzz $(FUZZ_SECONDS) $(FUZZ_ORDER)
 
 clean:
 	@rm -rf build

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Runs every fuzzer of a folder for the given number of seconds each, from the seeds in fuzz/corpus.
+# Runs every fuzzer of a folder for the given number of seconds each, from the files in fuzz/corpus. With a number as
+# third argument the inputs come in the same order each time; without it (0) they are others in every run.
 set -euo pipefail
 folder=$1
 seconds=$2
+order=${3:-0}
 for fuzzer in "$folder"/*_fuzzer; do
   name=$(basename "$fuzzer" _fuzzer)
   found=$(mktemp -d)
   seeds=(fuzz/corpus/"$name")
   dictionary=(fuzz/"$name".dict)
-  options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -print_final_stats=0 -verbosity=0)
+  options=(-max_total_time="$seconds" -seed="$order" -timeout=10 -rss_limit_mb=4096 -print_final_stats=0 -verbosity=0)
   [ -f "${dictionary[0]}" ] && options+=(-dict="${dictionary[0]}")
   [ -d "${seeds[0]}" ] || seeds=()
   echo "fuzzing $name for $seconds s"

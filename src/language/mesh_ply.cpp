@@ -66,13 +66,13 @@ class PlyBody {
   bool read_element(const PlyElement& element) {
     std::size_t least = 0;
     for (const PlyProperty& p : element.properties) least += Source::least_size(p.is_list ? p.count_type : p.type);
-    if (least == 0) return true;
-    if (element.count > source_.remaining() / least) {
+    if (least > 0 && element.count > source_.remaining() / least) {
       return fail(source_.at(), fmt::format("{} elements {} cannot be in the {} bytes that are left", element.count,
                                             in_quotes(element.name), source_.remaining()));
     }
     if (element.name == "vertex") return read_vertices(element, least);
     if (element.name == "face") return read_faces(element, least);
+    if (least == 0) return true;
     for (std::uint64_t i = 0; i < element.count; i++) {
       if (!skip_properties(element, i, 0, element.properties.size())) return false;
     }

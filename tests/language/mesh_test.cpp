@@ -256,6 +256,12 @@ TEST(Ply, saysWhatIsWrongWithTheHeader) {
       mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 0\nend_header\n1\n"),
       "s.ply:7:1: error: the vertices of this PLY file have no x, y and z\n  1\n  ^\n");
   EXPECT_EQ(mesh_error("s.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 4\nelement face 1\n"
+                       "property list uchar int vertex_indices\nend_header\n5 0 0 1 2 3\n"),
+            "s.ply:7:1: error: the vertices of this PLY file have no x, y and z\n  5 0 0 1 2 3\n  ^\n");
+  EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nelement face 1\nend_header\n1\n"),
+            "s.ply:6:1: error: the vertices of this PLY file have no x, y and z\n  1\n  ^\n");
+  EXPECT_EQ(mesh_error("s.ply",
                        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
                        "element face 1\nproperty int a\nend_header\n1\n"),
             "s.ply:10:1: error: the faces of this PLY file have no list `vertex_indices`\n  1\n  ^\n");

@@ -78,6 +78,16 @@ class Farm:
                     found[int(part[1])] = process
         return found
 
+    def hold(self, among=lambda unit, process: True):
+        """A unit that is being rendered, stopped before its part is written, and its process."""
+        for unit, process in sorted(self.renders().items(), key=lambda item: item[0]):
+            if not among(unit, process):
+                continue
+            if process.hold() and unit not in self.parts():
+                return unit, process
+            process.send(signal.SIGCONT)
+        return None
+
     def wait(self):
         state = os.path.join(self.folder, "state.json")
 
@@ -149,10 +159,12 @@ def disturbed(farm, expected, units, words):
     cluster = farm.cluster
     farm.submit(*words)
     submitted = time.time()
-    running = wait_until(lambda: len(farm.renders()) == 3 and farm.renders(), PATIENCE, "three tasks at a time")
-    slow, interrupted = sorted(running)[:2]
-    running[interrupted].send(signal.SIGTERM)
-    Slowed(running[slow])
+    wait_until(lambda: len(farm.renders()) == 3, PATIENCE, "three tasks at a time")
+    interrupted, process = wait_until(farm.hold, PATIENCE, "task to interrupt")
+    process.send(signal.SIGTERM)
+    process.send(signal.SIGCONT)
+    slow, process = wait_until(lambda: farm.hold(lambda unit, _: unit != interrupted), PATIENCE, "task to slow down")
+    Slowed(process)
     print(f"  shard {slow} is ten times slower, {interrupted} has to end, exit code 75", flush=True)
 
     wait_until(lambda: len(farm.parts()) >= 3, PATIENCE, "three parts", cluster.hurry)
@@ -161,11 +173,10 @@ def disturbed(farm, expected, units, words):
     os.remove(deleted_file)
     print(f"  part {torn} is torn, {deleted} deleted", flush=True)
 
-    def on_n2():
-        return [unit for unit, render in farm.renders().items()
-                if render.pid in {process.pid for process in cluster.tasks_of("n2")} and unit != slow]
+    def is_on_n2(unit, render):
+        return unit != slow and render.pid in {process.pid for process in cluster.tasks_of("n2")}
 
-    killed = wait_until(on_n2, PATIENCE, "task on n2", cluster.hurry)[0]
+    killed, _ = wait_until(lambda: farm.hold(is_on_n2), PATIENCE, "task on n2", cluster.hurry)
     cluster.kill_node("n2")
     print(f"  n2 is dead, and shard {killed} with it", flush=True)
     cluster.kill_controller(submitted)

@@ -6,6 +6,7 @@ import os
 import signal
 import socket
 import subprocess
+import sys
 import time
 
 NODES = ["n1", "n2", "n3"]
@@ -82,8 +83,20 @@ class Process:
         self.pid = pid
         with open(f"/proc/{pid}/cmdline", "rb") as file:
             self.words = file.read().decode(errors="replace").split("\0")
-        with open(f"/proc/{pid}/stat", encoding="utf-8", errors="replace") as file:
-            self.parent = int(file.read().rpartition(")")[2].split()[1])
+        self.parent = int(self.status()[1])
+
+    def status(self):
+        """Its state, a letter; its parent; and so on. Nothing if it is gone."""
+        try:
+            with open(f"/proc/{self.pid}/stat", encoding="utf-8", errors="replace") as file:
+                return file.read().rpartition(")")[2].split()
+        except (FileNotFoundError, ProcessLookupError):
+            return ["X", "0"]
+
+    def hold(self):
+        """Stops it. False if it has ended instead."""
+        self.send(signal.SIGSTOP)
+        return wait_until(lambda: self.status()[0] if self.status()[0] in "TXZ" else None, 20, "stopped process") == "T"
 
     def send(self, number):
         try:
@@ -132,8 +145,17 @@ class LoopCluster:
             raise
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, failure, *_):
+        if failure:
+            self.tell()
         self.stop()
+
+    def tell(self):
+        """What Slurm has to say, for who looks for the reason of a failure."""
+        for words in [["squeue", "-r", "-o", "%i %T %r %S %N"], ["sinfo", "-N", "-o", "%N %T %E"]]:
+            print(self.ask(*words), file=sys.stderr)
+        with open(f"{self.root}/log/ctld.log", encoding="utf-8", errors="replace") as log:
+            print(*log.readlines()[-60:], sep="", file=sys.stderr)
 
     def start(self, name, *words):
         log = open(f"{self.root}/log/{name}.out", "ab")

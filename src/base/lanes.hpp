@@ -15,13 +15,20 @@
 #include <cstdint>
 
 #if PENUMBRA_LANES == 16
-#define PENUMBRA_KERNEL lanes16
+#define PENUMBRA_LANES_NAME lanes16
 #elif PENUMBRA_LANES == 8
-#define PENUMBRA_KERNEL lanes8
+#define PENUMBRA_LANES_NAME lanes8
 #elif PENUMBRA_LANES == 4
-#define PENUMBRA_KERNEL lanes4
+#define PENUMBRA_LANES_NAME lanes4
 #else
 #error "PENUMBRA_LANES must be 4, 8 or 16"
+#endif
+
+// What a file defines that keeps a record of rays (tracing/recording.cpp): all of this has another name there.
+#ifdef PENUMBRA_RECORDS
+#define PENUMBRA_KERNEL PENUMBRA_LANES_NAME::recording
+#else
+#define PENUMBRA_KERNEL PENUMBRA_LANES_NAME
 #endif
 
 // Under the sanitizers, calls are left calls: inlined, the instrumented packets take minutes to compile.

@@ -4,27 +4,15 @@
 #include "tracing/tile.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
+
+namespace recording {
+void record_sample(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count, const RayListener&);
+}
+
 namespace {
 
 void render_tile(const Frame& frame, const FilmView& film, const TileSamples& tile, RayCounts& counts) {
   TileRenderer{frame, film, tile, counts}.render();
-}
-
-// The packet of the sample is put together as render_tile does it where it matters: with an Embree mesh in view.
-void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::uint32_t count,
-                   const RayListener& listener) {
-  const std::uint32_t together = frame.world.meshes.empty() ? 1 : vector_lanes;
-  const std::uint32_t first = sample - sample % together;
-  const std::uint32_t end = first + together < count ? first + together : count;
-  double color[3] = {};
-  FilmView film;
-  film.color = color;
-  film.x0 = x;
-  film.y0 = y;
-  film.width = 1;
-  RayCounts counts;
-  RayRecorder recorder(frame.world, listener, static_cast<int>(sample - first));
-  TileRenderer{frame, film, {x, y, x + 1, y + 1, first, end}, counts, &recorder}.render();
 }
 
 struct ProbePacket {
@@ -192,7 +180,7 @@ constexpr const char* isa_name = vector_lanes == 16 ? "avx512" : vector_lanes ==
 
 }  // namespace
 
-const Kernel kernel = {isa_name,        vector_lanes,   render_tile, record_sample,
+const Kernel kernel = {isa_name,        vector_lanes,   render_tile, recording::record_sample,
                        probe_intersect, probe_occluded, evaluate,    sample_points};
 
 }  // namespace penumbra::PENUMBRA_KERNEL

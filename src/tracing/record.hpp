@@ -1,6 +1,6 @@
-// Keeps a record of all rays of one lane, for whoever asks what a pixel saw. Ordinary renders have no recorder, and
-// each of the few places that look for one is a test of a null pointer. What is recorded is what was computed for the
-// picture, to the last bit; only what a shadow ray ran into is looked up once more.
+// Keeps a record of all rays of one lane, for whoever asks what a pixel saw. Only recording.cpp has a recorder; in the
+// kernels that render pictures there is no trace of it. What is recorded is what was computed for the picture, to the
+// last bit; only what a shadow ray ran into is looked up once more.
 #pragma once
 
 #include "geometry/traversal.hpp"
@@ -8,6 +8,12 @@
 #include "tracing/kernel.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
+
+#ifdef PENUMBRA_RECORDS
+inline constexpr bool records = true;
+#else
+inline constexpr bool records = false;
+#endif
 
 PENUMBRA_INLINE float lane_of(Floats values, int lane) {
   alignas(64) float all[lane_count];
@@ -26,14 +32,14 @@ class RayRecorder {
       : world_(world), listener_(listener), lane_(lane) {}
 
   // What the rays are that the hit at `depth` sends next.
-  [[gnu::cold, gnu::noinline]] void announce(RayKind kind, Floats factor, std::uint32_t count, int depth) {
+  void announce(RayKind kind, Floats factor, std::uint32_t count, int depth) {
     open_[depth].next_kind = kind;
     open_[depth].next_factor = lane_of(factor, lane_);
     open_[depth].next_count = count;
   }
 
   // A ray and what it hit; `end` tells what came back. Both are called for packets without the lane, too.
-  [[gnu::cold, gnu::noinline]] void begin(const Rays& rays, const Hits& hits, Mask active, int depth) {
+  void begin(const Rays& rays, const Hits& hits, Mask active, int depth) {
     Open& open = open_[depth];
     open = {};
     if (!is_in(active)) return;
@@ -49,20 +55,19 @@ class RayRecorder {
     for (float& f : ray.factor) f = depth == 0 ? 1 : open_[depth - 1].next_factor;
     note(ray, rays, hits, is_in(hits.found));
   }
-  [[gnu::cold, gnu::noinline]] void surface(Float3 ambient, Float3 shading, int depth) {
+  void surface(Float3 ambient, Float3 shading, int depth) {
     RecordedRay* ray = open_[depth].ray;
     if (!ray || !ray->hit) return;
     lane_of(ambient, lane_, ray->ambient);
     lane_of(shading, lane_, ray->normal);
   }
-  [[gnu::cold, gnu::noinline]] void end(Float3 color, int depth) {
+  void end(Float3 color, int depth) {
     RecordedRay* ray = open_[depth].ray;
     if (ray) lane_of(color, lane_, ray->came_back);
   }
 
   // A shadow ray of any length from the hit at `depth`, for the lanes in `sent`; `lit` tells what it adds.
-  [[gnu::cold, gnu::noinline]] void shadow(std::uint32_t light, const Rays& rays, Floats distance, Mask sent,
-                                           Floats visible, int depth) {
+  void shadow(std::uint32_t light, const Rays& rays, Floats distance, Mask sent, Floats visible, int depth) {
     last_shadow_ = nullptr;
     if (!is_in(sent) || open_[depth].number < 0) return;
     count_++;
@@ -81,7 +86,7 @@ class RayRecorder {
     ray.light_distance = lane_of(distance, lane_);
     for (float& c : ray.came_back) c = through;
   }
-  [[gnu::cold, gnu::noinline]] void lit(Float3 adds) {
+  void lit(Float3 adds) {
     if (!last_shadow_) return;
     lane_of(adds, lane_, last_shadow_->adds);
     for (int c = 0; c < 3; c++) {

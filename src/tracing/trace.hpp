@@ -145,10 +145,9 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       shadow.direction = sample.toward;
       shadow.coherent = light.kind != LightKind::disk && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
-      if (c.recorder) [[unlikely]]
-        c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
+      if constexpr (records) c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
       lit &= visible > zero;
-    } else if (c.recorder) [[unlikely]] {
+    } else if constexpr (records) {
       shadow.direction = sample.toward;
       c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
     }
@@ -168,8 +167,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
       const Float3 light_of_point = from_point(number, random);
       const Float3 brought = points == 1 ? light_of_point : light_of_point * Floats(1.0f / static_cast<float>(points));
-      if (c.recorder) [[unlikely]]
-        c.recorder->lit(brought);
+      if constexpr (records) c.recorder->lit(brought);
       sum += brought;
     }
   }
@@ -229,8 +227,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const Float3 mirror = normalize(reflect(rays.direction, facing));
     const Spreading spreading{mirror, material.any_gloss, material.gloss_radius, facing, step_gloss, step_reflection};
     const std::uint32_t count = rays_of_hit(c.frame.options.reflection_rays, place);
-    if (c.recorder) [[unlikely]]
-      c.recorder->announce(RayKind::reflection, reflection, count, depth);
+    if constexpr (records) c.recorder->announce(RayKind::reflection, reflection, count, depth);
     sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
     c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
   }
@@ -238,8 +235,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const Spreading spreading{refracted, material.any_blur, material.blur_radius,
                               -facing,   step_blur,         step_transmission};
     const std::uint32_t count = rays_of_hit(c.frame.options.transmission_rays, place);
-    if (c.recorder) [[unlikely]]
-      c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
+    if constexpr (records) c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
     sum +=
         keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
     c.counts.transmission += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
@@ -253,11 +249,9 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   const Hits hits = intersect(c.frame.world, rays, Floats(__builtin_inff()), active);
   Float3 color = keep(active & ~hits.found, broadcast3(c.frame.background));
   if (first) first->found = hits.found;
-  if (c.recorder) [[unlikely]]
-    c.recorder->begin(rays, hits, active, depth);
+  if constexpr (records) c.recorder->begin(rays, hits, active, depth);
   if (none(hits.found)) {
-    if (c.recorder) [[unlikely]]
-      c.recorder->end(color, depth);
+    if constexpr (records) c.recorder->end(color, depth);
     return color;
   }
 
@@ -273,15 +267,13 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
     first->normal = normals.shading;
     first->albedo = material.diffuse;
   }
-  if (c.recorder) [[unlikely]]
-    c.recorder->surface(material.ambient, normals.shading, depth);
+  if constexpr (records) c.recorder->surface(material.ambient, normals.shading, depth);
   Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, depth, place);
   if (material.any_reflection && depth < c.frame.options.max_depth) {
     reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
   }
   color += keep(hits.found, reflected);
-  if (c.recorder) [[unlikely]]
-    c.recorder->end(color, depth);
+  if constexpr (records) c.recorder->end(color, depth);
   return color;
 }
 

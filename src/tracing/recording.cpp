@@ -1,0 +1,28 @@
+// The same code as kernel.cpp, compiled a second time with the calls that keep a record: pictures do not pay for them.
+#define PENUMBRA_RECORDS
+#include "tracing/kernel.hpp"
+#include "tracing/tile.hpp"
+
+namespace penumbra::PENUMBRA_KERNEL {
+
+void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::uint32_t count,
+                   const RayListener& listener);
+
+// The packet of the sample is put together as for a picture where it matters: with an Embree mesh in view.
+void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::uint32_t count,
+                   const RayListener& listener) {
+  const std::uint32_t together = frame.world.meshes.empty() ? 1 : vector_lanes;
+  const std::uint32_t first = sample - sample % together;
+  const std::uint32_t end = first + together < count ? first + together : count;
+  double color[3] = {};
+  FilmView film;
+  film.color = color;
+  film.x0 = x;
+  film.y0 = y;
+  film.width = 1;
+  RayCounts counts;
+  RayRecorder recorder(frame.world, listener, static_cast<int>(sample - first));
+  TileRenderer{frame, film, {x, y, x + 1, y + 1, first, end}, counts, &recorder}.render();
+}
+
+}  // namespace penumbra::PENUMBRA_KERNEL

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 // Where Slurm does not say how many processors it has.
 constexpr int usual_shards = 24;
 constexpr int shards_for_each_task = 4;  // one that is lost or late is then a small matter
-constexpr int tiles_worth_a_shard = 16;
+constexpr int tiles_worth_a_shard = 64;
 
 // A name that no other job has, of letters that mean nothing to Slurm.
 std::string name_of_job(const fs::path& output, const fs::path& folder) {
@@ -50,7 +50,8 @@ int tile_count(const SceneFile& file, const RenderOptions& options) {
     const auto* picture = std::get_if<Picture>(&action);
     if (!picture) continue;
     const auto [width, height] = options.size.value_or(std::pair(picture->scene->width, picture->scene->height));
-    fewest = std::min(fewest, TileGrid(options.crop.value_or(Crop{0, 0, width, height})).count());
+    fewest =
+        std::min(fewest, tiles_of(options.crop.value_or(Crop{0, 0, width, height}), options.sample_counts()).count());
   }
   return fewest;
 }

@@ -12,7 +12,6 @@
 #include "base/archive.hpp"
 #include "base/atomic_file.hpp"
 #include "image/exr.hpp"
-#include "rendering/tile_grid.hpp"
 
 namespace penumbra {
 namespace {
@@ -23,7 +22,7 @@ constexpr const char* key = "part-of-picture";
 constexpr std::size_t longest_exr_header = 4096;  // of ours
 
 ImageFile preview(const PartHeader& header, const Film& film) {
-  const TileGrid grid(header.crop);
+  const TileGrid grid = header.tiles();
   Image image = make_image(grid.columns(), grid.rows());
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;

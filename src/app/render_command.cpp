@@ -236,7 +236,7 @@ class RenderRun {
     }
 
     const std::unique_ptr<ResumableRender> render = render_for(frame, kernel, plan);
-    const std::uint64_t pixels = pixel_count(plan.crop, plan.shard);
+    const std::uint64_t pixels = pixel_count(tiles_of(plan.crop, options_.sample_counts()), plan.shard);
     RenderState state;
     bool finished = false;
     {

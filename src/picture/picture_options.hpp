@@ -46,6 +46,7 @@ struct PictureOptions {
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;
   bool course = false, lenient = false;
 
+  SampleCounts sample_counts() const { return noise ? SampleCounts::per_pixel : SampleCounts::uniform; }
   bool operator==(const PictureOptions&) const = default;
 };
 

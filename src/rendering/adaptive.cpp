@@ -16,8 +16,10 @@ namespace {
 
 // The whole tiles that cover a crop.
 Crop whole_tiles(const Crop& crop, const Frame& frame) {
-  const auto down = [](int v) { return v / tile_size * tile_size; };
-  const auto up = [](int v, int end) { return std::min((v + tile_size - 1) / tile_size * tile_size, end); };
+  const auto down = [](int v) { return v / noise_tile_size * noise_tile_size; };
+  const auto up = [](int v, int end) {
+    return std::min((v + noise_tile_size - 1) / noise_tile_size * noise_tile_size, end);
+  };
   return {down(crop.x0), down(crop.y0), up(crop.x1, frame.width), up(crop.y1, frame.height)};
 }
 
@@ -47,7 +49,7 @@ struct AdaptiveRender::Thread {
 AdaptiveRender::AdaptiveRender(const Frame& frame, const Kernel& kernel, const Plan& plan, const NoiseGoal& goal)
     : plan_(plan),
       wanted_(whole_tiles(plan.crop, frame)),
-      grid_(with_neighbours(wanted_, frame.width, frame.height)),
+      grid_(with_neighbours(wanted_, frame.width, frame.height), noise_tile_size),
       film_(grid_.window(), plan.layers, SampleCounts::per_pixel),
       frame_(frame),
       kernel_(kernel),
@@ -123,7 +125,7 @@ RayCounts AdaptiveRender::for_tiles(RenderState& state, const Work& work) {
   RayCounts rays;
   const auto run = [&] {
     Thread thread;
-    thread.sums.resize(4 * tile_size * tile_size);
+    thread.sums.resize(4 * noise_tile_size * noise_tile_size);
     while (!is_stopped(state)) {
       const int index = next_tile.fetch_add(1, std::memory_order_relaxed);
       if (index >= grid_.count()) break;
@@ -146,13 +148,13 @@ RayCounts AdaptiveRender::for_tiles(RenderState& state, const Work& work) {
 
 // Whether the tile in this column and row of the whole picture is to be finished.
 bool AdaptiveRender::is_wanted(int column, int row) const {
-  const int x = column * tile_size, y = row * tile_size;
+  const int x = column * noise_tile_size, y = row * noise_tile_size;
   return x >= wanted_.x0 && y >= wanted_.y0 && x < wanted_.x1 && y < wanted_.y1 && plan_.shard.has(column, row);
 }
 
 bool AdaptiveRender::is_wanted(int tile) const {
   const Crop pixels = grid_.tile(tile);
-  return is_wanted(pixels.x0 / tile_size, pixels.y0 / tile_size);
+  return is_wanted(pixels.x0 / noise_tile_size, pixels.y0 / noise_tile_size);
 }
 
 std::size_t AdaptiveRender::pixel_at(int x, int y) const {

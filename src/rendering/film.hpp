@@ -14,10 +14,6 @@
 
 namespace penumbra {
 
-// Whether all pixels are to have the same number of samples, or each its own. Where each has its own, whoever renders
-// also says the variance of a pixel's mean, if there is such a layer: the squares of the samples do not tell it.
-enum class SampleCounts { uniform, per_pixel };
-
 class Film {
  public:
   Film(const Crop& crop, const Layers& layers, SampleCounts counts = SampleCounts::uniform);

@@ -9,23 +9,21 @@
 
 namespace penumbra {
 
-static_assert(noise_tile_size == tile_size);
-
 // Calls `visit(pixels)` for parts of a tile that do not overlap. `is_wanted(column, row)` tells whether the tile there,
 // counted from the picture's top left, is asked for; no tile outside the picture is.
 template <class IsWanted, class Visit>
 void for_first_round(const Crop& tile, const IsWanted& is_wanted, const Visit& visit) {
-  const int column = tile.x0 / tile_size, row = tile.y0 / tile_size;
+  const int column = tile.x0 / noise_tile_size, row = tile.y0 / noise_tile_size;
   if (is_wanted(column, row)) {
     visit(tile);
     return;
   }
   // Its rim in three by three cells, of which a neighbour sees those on its side.
   const auto cut = [](int start, int cell) {
-    return start * tile_size + (cell == 0   ? 0
-                                : cell == 1 ? noise_reach
-                                : cell == 2 ? tile_size - noise_reach
-                                            : tile_size);
+    return start * noise_tile_size + (cell == 0   ? 0
+                                      : cell == 1 ? noise_reach
+                                      : cell == 2 ? noise_tile_size - noise_reach
+                                                  : noise_tile_size);
   };
   for (int cy = 0; cy < 3; cy++) {
     for (int cx = 0; cx < 3; cx++) {

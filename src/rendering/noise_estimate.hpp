@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "base/archive.hpp"
+#include "rendering/tile_grid.hpp"
 
 namespace penumbra {
 
@@ -66,7 +67,6 @@ PixelNoise doubled_noise(const PixelNoise& old, const ColorSum& before, const Co
                          const SquaredDifference* added_quarters);
 
 // The pixels of a tile and those around it.
-inline constexpr int noise_tile_size = 16;
 inline constexpr int noise_reach = 2;  // how far away a pixel still has a say
 inline constexpr int noise_window_size = noise_tile_size + 2 * noise_reach;
 using NoiseWindow = std::array<PixelNoise, noise_window_size * noise_window_size>;

@@ -24,6 +24,10 @@ struct Layers {
   bool operator==(const Layers&) const = default;
 };
 
+// Whether all pixels are to have the same number of samples, or each its own. Where each has its own, whoever renders
+// also says the variance of a pixel's mean, if there is such a layer: the squares of the samples do not tell it.
+enum class SampleCounts { uniform, per_pixel };
+
 struct Plan {
   Crop crop;
   Layers layers;

@@ -3,18 +3,17 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <vector>
 
 #include "rendering/portion.hpp"
 #include "rendering/tile_grid.hpp"
-#include "rendering/tile_queue.hpp"
 
 namespace penumbra {
 namespace {
@@ -23,11 +22,11 @@ struct FreeCpuSet {
   void operator()(cpu_set_t* set) const { CPU_FREE(set); }
 };
 
-// Adds the samples to a tile or a quarter of one, portion by portion, until it is done or told to stop. Portions are
-// those of quarters either way: the pixels of one have the same number of samples.
+// Adds the samples to a tile, portion by portion, until it is done or told to stop. The pixels of a portion have the
+// same number of samples.
 void render_tile(Film& film, const FilmView& view, const Frame& frame, const Kernel& kernel, const Crop& tile,
                  SampleRange range, RayCounts& counts, RenderState& state) {
-  const Portion portion = portion_for(frame, quarter_size, quarter_size);
+  const Portion portion = portion_for(frame, tile_size, tile_size);
   for (int y = tile.y0; y < tile.y1; y += portion.height) {
     for (int x = tile.x0; x < tile.x1; x += portion.width) {
       const Crop pixels{x, y, std::min(x + portion.width, tile.x1), std::min(y + portion.height, tile.y1)};
@@ -52,22 +51,22 @@ RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, c
                          RenderState& state) {
   const FilmView view = film.view();
   const TileGrid grid(film.crop());
-  TileQueue queue(grid, plan.shard, plan.threads);
+  std::atomic<int> next_tile{0};
   std::mutex counts_mutex;
   RayCounts total;
   const auto work = [&] {
     RayCounts counts;
     while (!state.stop.load(std::memory_order_relaxed)) {
-      const std::optional<Crop> pixels = queue.next();
-      if (!pixels) break;
-      render_tile(film, view, frame, kernel, *pixels, range, counts, state);
+      const int tile = next_tile.fetch_add(1, std::memory_order_relaxed);
+      if (tile >= grid.count()) break;
+      if (grid.has(plan.shard, tile)) render_tile(film, view, frame, kernel, grid.tile(tile), range, counts, state);
     }
     const std::lock_guard lock(counts_mutex);
     total += counts;
   };
   {
     std::vector<std::jthread> helpers;
-    const int helper_count = std::min(plan.threads, 4 * grid.count()) - 1;
+    const int helper_count = std::min(plan.threads, grid.count()) - 1;
     helpers.reserve(static_cast<std::size_t>(std::max(helper_count, 0)));
     for (int i = 0; i < helper_count; i++) helpers.emplace_back(work);
     work();

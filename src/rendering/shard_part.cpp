@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "rendering/sealed_file.hpp"
-#include "rendering/tile_grid.hpp"
 
 namespace penumbra {
 namespace {
@@ -108,7 +107,7 @@ std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
   ArchiveWriter block;
   exchange_header(block, header);
   file.add(block.bytes());
-  const TileGrid grid(header.crop);
+  const TileGrid grid = header.tiles();
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     block.clear();
@@ -122,7 +121,7 @@ std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
 Part::Part(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {
   SealedReader file(bytes_, FileKind::part, name_);
   file.read(file.next(), [this](ArchiveReader& archive) { exchange_header(archive, header_); });
-  const TileGrid grid(header_.crop);
+  const TileGrid grid = header_.tiles();
   const std::size_t bytes_per_pixel = Film::bytes_per_pixel(header_.layers, header_.counts);
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header_.shard, tile)) continue;
@@ -140,7 +139,7 @@ Part::Part(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), 
 void Part::add_to(Film& film) const {
   SealedReader file(bytes_, FileKind::part, name_);
   file.next();
-  const TileGrid grid(header_.crop);
+  const TileGrid grid = header_.tiles();
   for (auto block = file.next(); !block.empty(); block = file.next()) {
     file.read(block, [&](ArchiveReader& archive) {
       int tile = 0;

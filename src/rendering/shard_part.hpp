@@ -10,6 +10,7 @@
 #include "rendering/film.hpp"
 #include "rendering/picture_key.hpp"
 #include "rendering/plan.hpp"
+#include "rendering/tile_grid.hpp"
 
 namespace penumbra {
 
@@ -20,6 +21,8 @@ struct PartHeader {
   Layers layers;
   SampleCounts counts = SampleCounts::uniform;
   std::string development;  // what turns the film into a picture, as whoever wrote it wants it back
+
+  TileGrid tiles() const { return tiles_of(crop, counts); }
 };
 
 // The film holds at least the shard's tiles.

@@ -1,5 +1,5 @@
-// The tiles of a picture: squares of 16 pixels that start at its top left, as far as they lie in a window of it. They
-// are numbered row by row.
+// The tiles of a picture: squares that start at its top left, as far as they lie in a window of it. They are numbered
+// row by row.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,20 @@
 
 namespace penumbra {
 
-inline constexpr int tile_size = 16;
+// Pixels a side. So small that the tiles of each thread and of each shard add up to about the same work.
+inline constexpr int tile_size = 8;
+// Where each pixel has its own number of samples, and a tile needs to know some pixels around it.
+inline constexpr int noise_tile_size = 16;
 
 class TileGrid {
  public:
-  explicit TileGrid(const Crop& window)
+  explicit TileGrid(const Crop& window, int size = tile_size)
       : window_(window),
-        left_(window.x0 / tile_size),
-        top_(window.y0 / tile_size),
-        columns_((window.x1 + tile_size - 1) / tile_size - left_),
-        rows_((window.y1 + tile_size - 1) / tile_size - top_) {}
+        size_(size),
+        left_(window.x0 / size),
+        top_(window.y0 / size),
+        columns_((window.x1 + size - 1) / size - left_),
+        rows_((window.y1 + size - 1) / size - top_) {}
 
   const Crop& window() const { return window_; }
   int columns() const { return columns_; }
@@ -27,9 +31,9 @@ class TileGrid {
 
   // The pixels of a tile that lie in the window.
   Crop tile(int index) const {
-    const int x = (left_ + index % columns_) * tile_size, y = (top_ + index / columns_) * tile_size;
-    return {std::max(x, window_.x0), std::max(y, window_.y0), std::min(x + tile_size, window_.x1),
-            std::min(y + tile_size, window_.y1)};
+    const int x = (left_ + index % columns_) * size_, y = (top_ + index / columns_) * size_;
+    return {std::max(x, window_.x0), std::max(y, window_.y0), std::min(x + size_, window_.x1),
+            std::min(y + size_, window_.y1)};
   }
 
   // Whether a shard of the picture has this tile.
@@ -37,12 +41,15 @@ class TileGrid {
 
  private:
   Crop window_;
-  int left_, top_, columns_, rows_;
+  int size_, left_, top_, columns_, rows_;
 };
 
-// How many pixels of a window a shard has.
-inline std::uint64_t pixel_count(const Crop& window, const Shard& shard) {
-  const TileGrid grid(window);
+inline TileGrid tiles_of(const Crop& window, SampleCounts counts) {
+  return TileGrid(window, counts == SampleCounts::uniform ? tile_size : noise_tile_size);
+}
+
+// How many pixels of its window a shard has.
+inline std::uint64_t pixel_count(const TileGrid& grid, const Shard& shard) {
   std::uint64_t pixels = 0;
   for (int i = 0; i < grid.count(); i++) {
     if (!grid.has(shard, i)) continue;

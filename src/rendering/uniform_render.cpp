@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rendering/tile_queue.hpp"
-
 namespace penumbra {
 namespace {
 
@@ -46,15 +44,10 @@ bool UniformRender::is_finished() const {
   return true;
 }
 
-// The first pixel of a quarter is never behind its others.
+// The first pixel of a tile is never behind its others.
 bool UniformRender::has_begun(int tile) const {
   const Crop pixels = grid_.tile(tile);
-  for (int y = pixels.y0; y < pixels.y1; y += quarter_size) {
-    for (int x = pixels.x0; x < pixels.x1; x += quarter_size) {
-      if (film_.samples_at(x, y) > 0) return true;
-    }
-  }
-  return false;
+  return film_.samples_at(pixels.x0, pixels.y0) > 0;
 }
 
 void UniformRender::read(ArchiveReader& archive, int tile) {

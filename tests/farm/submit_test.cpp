@@ -69,7 +69,7 @@ TEST_F(FarmSubmit, AutomaticShards) {
   ASSERT_EQ(farm(large), 0) << said();
   EXPECT_EQ(job().shards, 24);
   ASSERT_EQ(submit({"--dry-run"}), 0) << said();
-  EXPECT_EQ(job().shards, 1);  // of 12 tiles
+  EXPECT_EQ(job().shards, 1);  // of 35 tiles
 }
 
 TEST_F(FarmSubmit, SeveralPicturesOfOneScene) {
@@ -123,8 +123,8 @@ TEST_F(FarmSubmit, AnErrorInAnyFrame) {
 TEST_F(FarmSubmit, Refusals) {
   EXPECT_EQ(submit({"--shards", "0"}), 64);
   EXPECT_EQ(submit({"--shards", "many"}), 64);
-  EXPECT_EQ(submit({"--shards", "13"}), 64);
-  EXPECT_NE(said().find("the picture has 12 tiles only"), std::string::npos) << said();
+  EXPECT_EQ(submit({"--shards", "49"}), 64);
+  EXPECT_NE(said().find("the picture has 35 tiles only"), std::string::npos) << said();
   EXPECT_EQ(submit({"--time", "soon"}), 64);
   EXPECT_EQ(submit({"--partition", "a b"}), 64);
   EXPECT_EQ(submit({"--partition", "a\n#SBATCH --uid=0"}), 64);

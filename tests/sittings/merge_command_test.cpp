@@ -117,7 +117,7 @@ TEST_F(Merge, PartsAreExrFiles) {
   const Words parts = shards(2, {});
   const ProgramResult info = run_program("oiiotool --info --stats " + parts[0]);
   EXPECT_EQ(info.exit_code, 0) << info.output;
-  EXPECT_NE(info.output.find("4 x    3, 3 channel, float openexr"), std::string::npos) << info.output;
+  EXPECT_NE(info.output.find("7 x    5, 3 channel, float openexr"), std::string::npos) << info.output;
 }
 
 TEST_F(Merge, WrongWords) {

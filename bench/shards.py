@@ -2,7 +2,8 @@
 """Measures what it costs to share a picture out (`--shard i/n`), and prints a table: for each n the sum of the times of
 all shards over the time of one whole render, the largest over the mean of the shards' times, and the time of `merge`.
 Times are those of the processor, of whole processes with one thread: start, reading, building and writing are in them.
-Whole renders are taken in turn with the shards, and of each the best of several runs counts. With --check, exit code 1 where a ratio is not below its bound."""
+The whole render and all its shards are run in turn, several times, and the best time of each counts: machines have slow
+seconds. With --check, exit code 1 where a ratio is not below its bound."""
 
 import argparse
 import filecmp
@@ -26,8 +27,9 @@ def seconds_of(command):
     return usage.ru_utime + usage.ru_stime
 
 
-def best_of(runs, command):
-    return min(seconds_of(command) for _ in range(runs))
+def best_of_turns(turns, commands):
+    """The least seconds of each command, where all are run in turn."""
+    return [min(times) for times in zip(*([seconds_of(c) for c in commands] for _ in range(turns)))]
 
 
 def main():
@@ -37,7 +39,7 @@ def main():
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--rays", default="64")
     parser.add_argument("--counts", default="2,3,4,8,16,24,32,48,64", help="the numbers of shards")
-    parser.add_argument("--runs", type=int, default=3, help="of each render, of which the best counts")
+    parser.add_argument("--turns", type=int, default=3, help="of which the best counts, for each render")
     parser.add_argument("--check", action="store_true", help="fail where a ratio is not below its bound")
     arguments = parser.parse_args()
 
@@ -48,17 +50,15 @@ def main():
     print("| --: | --: | --: | --: | --: | --: |", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         whole, merged = os.path.join(folder, "whole.exr"), os.path.join(folder, "merged.exr")
-        before = best_of(arguments.runs, [*render, "-o", whole])
         for count in [int(n) for n in arguments.counts.split(",")]:
             parts = [os.path.join(folder, f"{i}.exr") for i in range(count)]
-            times = [best_of(arguments.runs, [*render, "--shard", f"{i}/{count}", "-o", part])
-                     for i, part in enumerate(parts)]
+            single, *times = best_of_turns(
+                arguments.turns, [[*render, "-o", whole]] + [[*render, "--shard", f"{i}/{count}", "-o", part]
+                                                             for i, part in enumerate(parts)])
             merge = seconds_of([arguments.penumbra, "merge", "--quiet", *parts, "-o", merged])
             if not filecmp.cmp(whole, merged, shallow=False):
                 sys.exit(f"{count} shards do not give the bytes of one render")
-            after = best_of(arguments.runs, [*render, "-o", whole])
-            single, mean = (before + after) / 2, sum(times) / count
-            before = after
+            mean = sum(times) / count
             overhead, uneven = sum(times) / single, max(times) / mean
             good &= overhead < MOST_OVERHEAD and uneven < MOST_UNEVEN
             print(f"| {count} | {overhead:.3f} | {uneven:.3f} | {single:.2f} | {mean:.3f} | {merge:.3f} |", flush=True)

@@ -70,7 +70,7 @@ void Film::set_variance(int x, int y, const std::array<float, 3>& rgb) {
 }
 
 FilmView Film::view() {
-  const auto plane = [](std::vector<double>& v) { return v.empty() ? nullptr : v.data(); };
+  const auto plane = [](ZeroedVector<double>& v) { return v.empty() ? nullptr : v.data(); };
   return {plane(color_),  plane(squares_), plane(depth_), plane(normal_),
           plane(albedo_), crop_.x0,        crop_.y0,      crop_.width()};
 }
@@ -107,7 +107,7 @@ std::size_t Film::bytes_per_pixel(const Layers& layers, SampleCounts counts) {
          (layers.variance && own_counts ? 3 * sizeof(float) : 0);
 }
 
-std::vector<float> Film::means(const std::vector<double>& sums) const {
+std::vector<float> Film::means(const ZeroedVector<double>& sums) const {
   std::vector<float> result(sums.size());
   const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
   if (*fewest == *most) {  // which is several times faster
@@ -135,7 +135,7 @@ std::vector<float> Film::depth() const {
 }
 
 std::vector<float> Film::variance() const {
-  if (counts_ == SampleCounts::per_pixel) return variance_;
+  if (counts_ == SampleCounts::per_pixel) return {variance_.begin(), variance_.end()};
   std::vector<float> result(squares_.size());
   for (std::size_t i = 0; i < result.size(); i++) {
     const double n = pixel_samples_[i / 3];

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/zeroed_pages.hpp"
 #include "rendering/plan.hpp"
 #include "tracing/kernel.hpp"
 
@@ -62,7 +63,7 @@ class Film {
  private:
   std::size_t pixel_count() const;
   std::size_t pixel_at(int x, int y) const;
-  std::vector<float> means(const std::vector<double>& sums) const;
+  std::vector<float> means(const ZeroedVector<double>& sums) const;
   template <class Plane>
   static void free_plane(Plane& plane) {
     Plane().swap(plane);  // the assignment of an empty list would keep the memory
@@ -74,9 +75,9 @@ class Film {
   Crop crop_;
   Layers layers_;
   SampleCounts counts_;
-  std::vector<double> color_, squares_, depth_, normal_, albedo_;
-  std::vector<std::uint32_t> pixel_samples_;
-  std::vector<float> variance_;
+  ZeroedVector<double> color_, squares_, depth_, normal_, albedo_;
+  ZeroedVector<std::uint32_t> pixel_samples_;
+  ZeroedVector<float> variance_;
 };
 
 }  // namespace penumbra

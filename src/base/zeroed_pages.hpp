@@ -1,0 +1,76 @@
+// Memory for large arrays that begin as zeros: straight from the kernel, in its large pages where it has such. Of small
+// pages, a picture takes tens of thousands, and the kernel a millisecond to hand out a few hundred of them.
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace penumbra {
+
+template <class T>
+class ZeroedPages {
+ public:
+  using value_type = T;
+
+  ZeroedPages() = default;
+  template <class Other>
+  explicit ZeroedPages(const ZeroedPages<Other>&) {}
+
+  T* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / (2 * sizeof(T))) throw std::bad_alloc();
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes < large_page) {
+      void* const memory = std::calloc(count, sizeof(T));
+      if (!memory) throw std::bad_alloc();
+      return static_cast<T*>(memory);
+    }
+    // As much as it takes to begin at a large page, and nothing more: what is never written takes no memory.
+    const std::size_t mapped = bytes + large_page;
+    void* const memory = mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t start = (address + large_page - 1) / large_page * large_page;
+    if (start > address) munmap(memory, start - address);
+    const std::size_t behind = mapped - (start - address) - whole_pages(bytes);
+    if (behind > 0) munmap(reinterpret_cast<void*>(start + whole_pages(bytes)), behind);
+    void* const aligned = reinterpret_cast<void*>(start);
+    madvise(aligned, whole_pages(bytes), MADV_HUGEPAGE);  // a wish: small pages do as well, but slower
+    return static_cast<T*>(aligned);
+  }
+
+  void deallocate(T* memory, std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes < large_page) {
+      std::free(memory);
+    } else {
+      munmap(memory, whole_pages(bytes));
+    }
+  }
+
+  // What is made without a value is 0 already.
+  void construct(T*) {}
+  template <class... Values>
+  void construct(T* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) T(std::forward<Values>(values)...);
+  }
+
+  bool operator==(const ZeroedPages&) const { return true; }
+
+ private:
+  static constexpr std::size_t large_page = std::size_t{2} << 20;
+  static constexpr std::size_t small_page = 4096;
+  static std::size_t whole_pages(std::size_t bytes) { return (bytes + small_page - 1) / small_page * small_page; }
+};
+
+// Never to be made smaller and larger again: what it grows by would not be 0.
+template <class T>
+using ZeroedVector = std::vector<T, ZeroedPages<T>>;
+
+}  // namespace penumbra

@@ -1,10 +1,14 @@
 // The program: reads the command line, hands over to one subcommand, returns its exit code (those of <sysexits.h>).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/check_command.hpp"
 #include "app/compare_command.hpp"
@@ -15,6 +19,7 @@
 #include "app/samples_command.hpp"
 #include "app/view_command.hpp"
 #include "base/version.hpp"
+#include "language/near_word.hpp"
 
 namespace {
 
@@ -32,6 +37,24 @@ const CLI::App* add_view(CLI::App& app) {
   view->set_help_flag();
   view->prefix_command();
   return view;
+}
+
+// The sentence about a word where a command should be; empty if that is not what is wrong.
+std::string about_unknown_command(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  const std::vector<std::string> words = app.remaining(true);
+  if (at->get_require_subcommand_min() == 0 || words.empty()) return {};
+  const std::string& word = words.front();
+  if (at == &app && word.ends_with(".cli")) return fmt::format("`penumbra render {} -o OUT.png` renders a scene", word);
+  std::vector<std::string_view> known;
+  for (const CLI::App* command : at->get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+  }
+  const std::string_view meant = penumbra::nearest_word(word, known);
+  return fmt::format("there is no command `{}`; {}", word,
+                     meant.empty() ? fmt::format("the commands are {}", fmt::join(known, ", "))
+                                   : fmt::format("did you mean `{}`?", meant));
 }
 
 constexpr int exit_usage = 64;
@@ -58,6 +81,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
+    if (const std::string sentence = about_unknown_command(app); !sentence.empty()) {
+      fmt::print(stderr, "penumbra: {}\n", sentence);
+      return exit_usage;
+    }
     return app.exit(e) == 0 ? 0 : exit_usage;
   }
   if (render->parsed()) return penumbra::render_command(render_options);

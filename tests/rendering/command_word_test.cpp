@@ -1,0 +1,38 @@
+// What the program says to a word that is none of its commands.
+#include <gtest/gtest.h>
+
+#include "base/test_folder.hpp"
+
+namespace penumbra::test {
+namespace {
+
+ProgramResult run(const std::string& words) { return run_program(PENUMBRA_PROGRAM " " + words + " 2>&1"); }
+
+TEST(CommandWord, NearOnesAreNamed) {
+  const ProgramResult result = run("rendr scene.cli");
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_EQ(result.output, "penumbra: there is no command `rendr`; did you mean `render`?\n");
+}
+
+TEST(CommandWord, AlsoOfTheFarm) {
+  const ProgramResult result = run("farm submot scene.cli");
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_EQ(result.output, "penumbra: there is no command `submot`; did you mean `submit`?\n");
+}
+
+TEST(CommandWord, OthersGetTheList) {
+  const ProgramResult result = run("paint");
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_EQ(result.output,
+            "penumbra: there is no command `paint`; the commands are render, check, compare, samples, merge, farm, "
+            "view\n");
+}
+
+TEST(CommandWord, ASceneAloneIsNotEnough) {
+  const ProgramResult result = run("scene.cli");
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_EQ(result.output, "penumbra: `penumbra render scene.cli -o OUT.png` renders a scene\n");
+}
+
+}  // namespace
+}  // namespace penumbra::test

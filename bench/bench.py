@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
-and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, two
-threads against one, meshes against Embree alone, and the speed of reading. What is compared is run in turn in the same
-run; a table shows medians and the median of the ratios of each turn."""
+and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, a
+large picture against a small one, two threads against one, meshes against Embree alone, and the speed of reading. What
+is compared is run in turn in the same run; a table shows medians and the median of the ratios of each turn."""
 
 import argparse
 import json
@@ -22,11 +22,11 @@ def pinned(command):
     return ["taskset", "-c", "0"] + command
 
 
-def render(penumbra, scene, *options):
+def render(penumbra, scene, *options, file="out.png"):
     """Renders on one thread and returns the statistics of the run, with the seconds of the whole process."""
     with tempfile.TemporaryDirectory() as folder:
         stats = os.path.join(folder, "stats.json")
-        command = [penumbra, "render", scene, "-o", os.path.join(folder, "out.png"), "--quiet", "--threads", "1",
+        command = [penumbra, "render", scene, "-o", os.path.join(folder, file), "--quiet", "--threads", "1",
                    "--stats", stats, *options]
         start = time.perf_counter()
         subprocess.run(pinned(command), check=True, stdout=subprocess.DEVNULL)
@@ -106,6 +106,20 @@ def rays_per_second(penumbra, turns):
         print(f"| {scene} | {rays * 1e-6:.1f} | {seconds:.3f} | {rays / seconds * 1e-6:.1f} | {other * 1e3:.1f} "
               f"| {runs[0]['peak_memory_bytes'] >> 20} |")
     print()
+
+
+def compare_sizes(penumbra, turns):
+    path = os.path.join(ROOT, "scenes/demo.cli")
+
+    def speed(*options, file="out.png"):
+        run = render(penumbra, path, "--rays", "256", *options, file=file)
+        return sum(run["rays"].values()) / run["render_seconds"]
+
+    # The tiles of a shard lie all over the picture, in the film of the whole.
+    ratios = [speed("--size", "3840x2160", "--shard", f"{turn}/64", file="part.exr") / speed("--size", "300x300")
+              for turn in range(turns)]
+    print(f"3840x2160 (a 64th of it in turn) against 300x300, demo.cli, 256 rays, rays per second: "
+          f"{statistics.median(ratios):.2f}\n")
 
 
 def build_revision(revision):
@@ -226,6 +240,7 @@ def main():
     compare_with_prototype(arguments.penumbra, peers, arguments.turns)
     compare_with_revision(arguments.penumbra, arguments.before, min(arguments.turns, 3))
     rays_per_second(arguments.penumbra, min(arguments.turns, 3))
+    compare_sizes(arguments.penumbra, arguments.turns)
     compare_threads(arguments.penumbra, arguments.turns)
     if arguments.mesh_replay and arguments.bumpy_sphere:
         compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)

@@ -68,7 +68,7 @@ TEST_F(CheckpointFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_of({}), "`c` is not a checkpoint");
   std::vector<std::byte> bad = good_;
   bad[12] = std::byte{9};
-  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, and this program knows format 1 only");
+  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, and this program knows format 2 only");
   bad = good_;
   bad[100] ^= std::byte{1};
   EXPECT_EQ(error_of(bad), "`c` is a damaged checkpoint: block 1 at byte 16 of " + std::to_string(bad.size()) +

@@ -26,7 +26,7 @@ ImageFile preview(const PartHeader& header, const Film& film) {
   Image image = make_image(grid.columns(), grid.rows());
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
-    const std::vector<float> colors = film.cut(grid.tile(tile)).color();
+    const ZeroedVector<float> colors = film.cut(grid.tile(tile)).color();
     const std::size_t count = colors.size() / 3;
     const auto pixels = static_cast<float>(count);
     float* const mean = &image.rgb[3 * static_cast<std::size_t>(tile)];

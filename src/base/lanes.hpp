@@ -144,6 +144,7 @@ PENUMBRA_INLINE Floats keep(Mask m, Floats a) { return select(m, a, Floats(0)); 
 // As the instructions: where a number is not a number, the second.
 PENUMBRA_INLINE Floats min(Floats a, Floats b) { return {one::min(a.lo, b.lo), one::min(a.hi, b.hi)}; }
 PENUMBRA_INLINE Floats max(Floats a, Floats b) { return {one::max(a.lo, b.lo), one::max(a.hi, b.hi)}; }
+PENUMBRA_INLINE Ints max(Ints a, Ints b) { return {one::max(a.lo, b.lo), one::max(a.hi, b.hi)}; }
 PENUMBRA_INLINE Floats sqrt(Floats a) { return {one::sqrt(a.lo), one::sqrt(a.hi)}; }
 PENUMBRA_INLINE Floats round(Floats a) { return {one::round(a.lo), one::round(a.hi)}; }
 PENUMBRA_INLINE Floats floor(Floats a) { return {one::floor(a.lo), one::floor(a.hi)}; }

@@ -17,6 +17,7 @@ PENUMBRA_INLINE FloatVector select(MaskVector m, FloatVector a, FloatVector b) {
 
 PENUMBRA_INLINE FloatVector min(FloatVector a, FloatVector b) { return _mm256_min_ps(a, b); }
 PENUMBRA_INLINE FloatVector max(FloatVector a, FloatVector b) { return _mm256_max_ps(a, b); }
+PENUMBRA_INLINE UintVector max(UintVector a, UintVector b) { return words(_mm256_max_epu32(raw(a), raw(b))); }
 PENUMBRA_INLINE FloatVector sqrt(FloatVector a) { return _mm256_sqrt_ps(a); }
 PENUMBRA_INLINE FloatVector round(FloatVector a) {
   return _mm256_round_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);

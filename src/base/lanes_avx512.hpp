@@ -29,6 +29,7 @@ PENUMBRA_INLINE UintVector select(MaskVector m, UintVector a, UintVector b) {
 
 PENUMBRA_INLINE FloatVector min(FloatVector a, FloatVector b) { return _mm512_min_ps(a, b); }
 PENUMBRA_INLINE FloatVector max(FloatVector a, FloatVector b) { return _mm512_max_ps(a, b); }
+PENUMBRA_INLINE UintVector max(UintVector a, UintVector b) { return words(_mm512_max_epu32(raw(a), raw(b))); }
 PENUMBRA_INLINE FloatVector sqrt(FloatVector a) { return _mm512_sqrt_ps(a); }
 PENUMBRA_INLINE FloatVector round(FloatVector a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEAREST_INT); }
 PENUMBRA_INLINE FloatVector floor(FloatVector a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEG_INF); }

@@ -26,28 +26,27 @@ class ZeroedPages {
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / (2 * sizeof(T))) throw std::bad_alloc();
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < large_page) {
+    if (bytes < fewest_bytes) {
       void* const memory = std::calloc(count, sizeof(T));
       if (!memory) throw std::bad_alloc();
       return static_cast<T*>(memory);
     }
-    // As much as it takes to begin at a large page, and nothing more: what is never written takes no memory.
-    const std::size_t mapped = bytes + large_page;
-    void* const memory = mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    // As much as it takes to begin and end at large pages; what is never written takes no memory.
+    const std::size_t size = whole_pages(bytes);
+    void* const memory = mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t start = (address + large_page - 1) / large_page * large_page;
-    if (start > address) munmap(memory, start - address);
-    const std::size_t behind = mapped - (start - address) - whole_pages(bytes);
-    if (behind > 0) munmap(reinterpret_cast<void*>(start + whole_pages(bytes)), behind);
-    void* const aligned = reinterpret_cast<void*>(start);
-    madvise(aligned, whole_pages(bytes), MADV_HUGEPAGE);  // a wish: small pages do as well, but slower
+    const std::size_t before = whole_pages(address) - address;
+    void* const aligned = static_cast<std::byte*>(memory) + before;
+    if (before > 0) munmap(memory, before);
+    if (before < large_page) munmap(static_cast<std::byte*>(aligned) + size, large_page - before);
+    madvise(aligned, size, MADV_HUGEPAGE);  // a wish: small pages do as well, but slower
     return static_cast<T*>(aligned);
   }
 
   void deallocate(T* memory, std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < large_page) {
+    if (bytes < fewest_bytes) {
       std::free(memory);
     } else {
       munmap(memory, whole_pages(bytes));
@@ -65,8 +64,9 @@ class ZeroedPages {
 
  private:
   static constexpr std::size_t large_page = std::size_t{2} << 20;
-  static constexpr std::size_t small_page = 4096;
-  static std::size_t whole_pages(std::size_t bytes) { return (bytes + small_page - 1) / small_page * small_page; }
+  // Where a large page is cheaper than what it takes of small ones.
+  static constexpr std::size_t fewest_bytes = large_page / 8;
+  static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };
 
 // Never to be made smaller and larger again: what it grows by would not be 0.

@@ -57,16 +57,15 @@ class WorldBuilder {
     deal_triangles(parts);
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
-    bool has_triangles = false, has_nested = false;
+    bool has_nested = false;
     world_.leaves.reserve(world_.leaves.size() + parts.leaves.size());
     Bounds bounds;
     for (const BvhItem& item : parts.items) {
       world_.leaves.push_back(parts.leaves[item.leaf]);
-      has_triangles |= parts.leaves[item.leaf].kind == LeafKind::triangle;
       has_nested |= parts.leaves[item.leaf].kind >= LeafKind::mesh;
       bounds = include(bounds, item.bounds);
     }
-    world_.groups[group] = {root, has_triangles, has_nested};
+    world_.groups[group] = {root, has_nested};
     group_bounds_.resize(world_.groups.size());
     group_bounds_[group] = bounds;
     group_magnitude_.resize(world_.groups.size());

@@ -135,8 +135,9 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   const Mask grazing = ~(cosine * cosine >= Floats(1e-4f) * dot(rays.direction, rays.direction));
   Floats distance = select(grazing | ~(plane > Floats(0)), load(query.distance), plane);
   if (any(found & grazing)) {
+    const Float3 a = triangles.a - rays.origin;
     const Crossing own =
-        cross_triangle({triangles.a - rays.origin, triangles.b - rays.origin, triangles.c - rays.origin, normal},
+        cross_triangle({a, triangles.b - rays.origin, triangles.c - rays.origin, SeenPlane(normal, a, rays.direction)},
                        rays.direction, rays.nearest, RayShear(rays.direction, found));
     distance = select(grazing & own.hit, own.distance, distance);
   }

@@ -40,16 +40,23 @@ struct SlabOrder {
 struct GroupRays {
   const World& world;
   const Rays& rays;
+  Mask active;
   Float3 inverse_direction;
   SlabOrder order;
-  RayShear shear;
 
-  PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask active) : world(w), rays(r) {
+  PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask lanes)
+      : world(w), rays(r), active(lanes) {
     if (!is_leaf(group.root)) {
       inverse_direction = safe_inverse(r.direction);
       order = SlabOrder(inverse_direction, active);
     }
-    if (group.has_triangles) shear = RayShear(r.direction, active);
+  }
+
+  // Computed for the first triangle that may be met.
+  PENUMBRA_INLINE const RayShear& shear() const {
+    if (!has_shear_) shear_ = RayShear(rays.direction, active);
+    has_shear_ = true;
+    return shear_;
   }
 
   // Where the rays are inside the bounds of a node's child.
@@ -64,16 +71,22 @@ struct GroupRays {
     const Floats leave_z = (Floats(bounds[order.leave[2]]) - rays.origin.z) * inverse_direction.z;
     return {max(max(enter_x, enter_y), enter_z), min(min(leave_x, leave_y), leave_z)};
   }
+
+ private:
+  mutable RayShear shear_;
+  mutable bool has_shear_ = false;
 };
 
 // Where the rays cross the leaf's shape, for the kinds that are one shape.
-PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf) {
+PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf, Mask active) {
   const bool placed = leaf.placement != no_placement;
   const Float3 origin = local_origin(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::triangle) {
-    return cross_triangle({broadcast3(leaf.data) - origin, broadcast3(leaf.data + 3) - origin,
-                           broadcast3(leaf.data + 6) - origin, broadcast3(leaf.data + 9)},
-                          g.rays.direction, g.rays.nearest, g.shear);
+    const Float3 corner = broadcast3(leaf.data) - origin;
+    const SeenPlane plane(broadcast3(leaf.data + 9), corner, g.rays.direction);
+    if (plane.all_go_away(g.rays.direction, active)) return {Mask(false), Floats(0)};
+    return cross_triangle({corner, broadcast3(leaf.data + 3) - origin, broadcast3(leaf.data + 6) - origin, plane},
+                          g.rays.direction, g.rays.nearest, g.shear());
   }
   const Float3 direction = local_direction(g.world, leaf, g.rays);
   switch (leaf.kind) {
@@ -205,7 +218,7 @@ struct NearestSearch {
       leaf = select(changed, Ints(no_leaf), leaf);
       found |= changed;
     } else {
-      const Crossing crossing = cross_shape(g, candidate);
+      const Crossing crossing = cross_shape(g, candidate, active);
       const Ints candidate_order = Ints(candidate.order);
       const Mask nearer =
           active & crossing.hit &
@@ -238,7 +251,7 @@ struct AnySearch {
     } else if (candidate.kind == LeafKind::instance) {
       blocked |= occluded_group(g.world, candidate.target, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else {
-      const Crossing crossing = cross_shape(g, candidate);
+      const Crossing crossing = cross_shape(g, candidate, active);
       blocked |= active & crossing.hit & (crossing.distance < farthest);
     }
   }

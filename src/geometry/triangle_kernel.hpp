@@ -56,9 +56,28 @@ struct RayShear {
   }
 };
 
+// How the rays stand to the plane of a triangle.
+struct SeenPlane {
+  Floats cosine, height;  // of the normal with the direction, and with what leads from the origin to the plane
+
+  PENUMBRA_INLINE SeenPlane(Float3 normal, Float3 corner, Float3 direction)
+      : cosine(dot(normal, direction)), height(dot(normal, corner)) {}
+
+  // Whether the distance to the plane, height / cosine, has few digits.
+  PENUMBRA_INLINE Mask grazing(Float3 direction) const {
+    return cosine * cosine < Floats(1e-4f) * dot(direction, direction);
+  }
+  // Whether no ray can meet the triangle, as of most packets that miss it: cheaper than to ask where they pass it.
+  PENUMBRA_INLINE bool all_go_away(Float3 direction, Mask active) const {
+    const Mask toward = (as_ints(cosine) ^ as_ints(height)) < Ints(0x80000000u);
+    return none(active & toward) && none(active & grazing(direction));
+  }
+};
+
 // A triangle, its corners relative to the origin of the rays.
 struct SeenTriangle {
-  Float3 a, b, c, normal;
+  Float3 a, b, c;
+  SeenPlane plane;
 };
 
 template <int axis>
@@ -77,9 +96,8 @@ PENUMBRA_INLINE Crossing cross_triangle_along(const SeenTriangle& triangle, Floa
   const Mask inside = (all_positive | all_negative) & (determinant != zero);
   if (none(inside)) return {inside, zero};
 
-  const Floats cosine = dot(triangle.normal, direction);
-  Floats t = dot(triangle.normal, triangle.a) / cosine;
-  const Mask grazing = inside & (cosine * cosine < Floats(1e-4f) * dot(direction, direction));
+  Floats t = triangle.plane.height / triangle.plane.cosine;
+  const Mask grazing = inside & triangle.plane.grazing(direction);
   if (any(grazing)) {
     const Floats weighted = u * pa.distance(shear) + v * pb.distance(shear) + w * pc.distance(shear);
     t = select(grazing, weighted / determinant, t);

@@ -61,7 +61,6 @@ struct alignas(64) Node {
 
 struct WorldGroup {
   NodeReference root = leaf_reference(0, 0);
-  bool has_triangles = false;
   bool has_nested = false;  // meshes or instances
 };
 

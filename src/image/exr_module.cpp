@@ -141,7 +141,7 @@ Metadata metadata_of(const Imf::Header& header) {
 }
 
 // A grey channel is read once, into r; g and b then get the same.
-void spread_grey(std::vector<float>& rgb) {
+void spread_grey(ZeroedVector<float>& rgb) {
   for (std::size_t i = 0; i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
 }
 
@@ -190,7 +190,7 @@ ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
     const bool is_colour = std::find(colours.begin(), colours.end(), i.name()) != colours.end();
     if (is_colour || !covers_pixels(&i.channel())) continue;
-    file.layers.push_back({i.name(), std::vector<float>(file.image.rgb.size() / 3)});
+    file.layers.push_back({i.name(), ZeroedVector<float>(file.image.rgb.size() / 3)});
   }
 
   const bool grey = colours[0] == colours[1];

@@ -7,25 +7,27 @@
 #include <utility>
 #include <vector>
 
+#include "base/zeroed_pages.hpp"
+
 namespace penumbra {
 
 // Colours of width x height pixels, row by row from the top, three floats a pixel: r, g, b.
 struct Image {
   int width = 0, height = 0;
-  std::vector<float> rgb;
+  ZeroedVector<float> rgb;
 
   bool operator==(const Image&) const = default;
 };
 
 // A black image.
 inline Image make_image(int width, int height) {
-  return {width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
+  return {width, height, ZeroedVector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
 }
 
 // One more number for each pixel of an image, row by row from the top: `depth.Z`, `normal.X`, ...
 struct Channel {
   std::string name;
-  std::vector<float> values;
+  ZeroedVector<float> values;
 
   bool operator==(const Channel&) const = default;
 };

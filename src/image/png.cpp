@@ -79,8 +79,8 @@ bool write_picture(Writer& writer, int width, int height, int bits, png_text* te
   return true;
 }
 
-std::vector<png_byte> quantized(const std::vector<float>& values, int bits, Rounding rounding) {
-  std::vector<png_byte> samples(values.size() * static_cast<std::size_t>(bits / 8));
+ZeroedVector<png_byte> quantized(const ZeroedVector<float>& values, int bits, Rounding rounding) {
+  ZeroedVector<png_byte> samples(values.size() * static_cast<std::size_t>(bits / 8));
   if (bits == 8) {
     std::transform(values.begin(), values.end(), samples.begin(), [&](float v) { return quantize_8(v, rounding); });
     return samples;
@@ -162,15 +162,15 @@ bool read_rows(Reader& reader, png_bytepp rows) {
   return true;
 }
 
-std::vector<png_bytep> row_pointers(std::vector<png_byte>& samples, int height) {
+std::vector<png_bytep> row_pointers(ZeroedVector<png_byte>& samples, int height) {
   const std::size_t stride = samples.size() / static_cast<std::size_t>(height);
   std::vector<png_bytep> rows(static_cast<std::size_t>(height));
   for (std::size_t y = 0; y < rows.size(); y++) rows[y] = samples.data() + y * stride;
   return rows;
 }
 
-std::vector<float> colours_of(const std::vector<png_byte>& samples, int bits) {
-  std::vector<float> values(samples.size() / static_cast<std::size_t>(bits / 8));
+ZeroedVector<float> colours_of(const ZeroedVector<png_byte>& samples, int bits) {
+  ZeroedVector<float> values(samples.size() / static_cast<std::size_t>(bits / 8));
   for (std::size_t i = 0; i < values.size(); i++) {
     values[i] = bits == 8 ? static_cast<float>(samples[i]) / 255.0f
                           : static_cast<float>(samples[2 * i] * 256 + samples[2 * i + 1]) / 65535.0f;
@@ -196,7 +196,7 @@ std::vector<std::byte> encode_png(const Image& image, const Metadata& metadata, 
   require_image_size(image.width, image.height, image.rgb.size(), 3);
   require_metadata_keys(metadata);
   if (bits != 8 && bits != 16) throw FileError(EX_SOFTWARE, fmt::format("a PNG cannot have {} bits a colour", bits));
-  std::vector<png_byte> samples = quantized(image.rgb, bits, rounding);
+  ZeroedVector<png_byte> samples = quantized(image.rgb, bits, rounding);
   std::vector<png_bytep> rows = row_pointers(samples, image.height);
   std::vector<std::string> keys;
   for (const auto& entry : metadata) keys.push_back(std::string(key_prefix) + entry.first);
@@ -243,7 +243,7 @@ ImageFile decode_png(std::span<const std::byte> bytes, const std::string& name) 
 
   if (!choose_output(reader)) throw damaged(reader.message.data());
   const int bits = png_get_bit_depth(reader.png, reader.info);
-  std::vector<png_byte> samples(png_get_rowbytes(reader.png, reader.info) * static_cast<std::size_t>(height));
+  ZeroedVector<png_byte> samples(png_get_rowbytes(reader.png, reader.info) * static_cast<std::size_t>(height));
   std::vector<png_bytep> rows = row_pointers(samples, height);
   if (!read_rows(reader, rows.data())) throw damaged(reader.message.data());
   return whole_picture({width, height, colours_of(samples, bits)}, metadata_of(reader));

@@ -21,10 +21,11 @@ void paint(Image& image, const Crop& crop, int full_height, const PaintedRect& r
 }
 
 // One channel for each letter, taken out of interleaved values.
-void add_layer(ImageFile& file, const std::string& name, const std::string& letters, const std::vector<float>& values) {
+void add_layer(ImageFile& file, const std::string& name, const std::string& letters,
+               const ZeroedVector<float>& values) {
   const std::size_t channels = letters.size();
   for (std::size_t c = 0; c < channels; c++) {
-    Channel channel{name + "." + letters[c], std::vector<float>(values.size() / channels)};
+    Channel channel{name + "." + letters[c], ZeroedVector<float>(values.size() / channels)};
     for (std::size_t i = 0; i < channel.values.size(); i++) channel.values[i] = values[channels * i + c];
     file.layers.push_back(std::move(channel));
   }

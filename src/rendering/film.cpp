@@ -107,8 +107,8 @@ std::size_t Film::bytes_per_pixel(const Layers& layers, SampleCounts counts) {
          (layers.variance && own_counts ? 3 * sizeof(float) : 0);
 }
 
-std::vector<float> Film::means(const ZeroedVector<double>& sums) const {
-  std::vector<float> result(sums.size());
+ZeroedVector<float> Film::means(const ZeroedVector<double>& sums) const {
+  ZeroedVector<float> result(sums.size());
   const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
   if (*fewest == *most) {  // which is several times faster
     const double samples = std::max(*fewest, 1u);
@@ -121,12 +121,12 @@ std::vector<float> Film::means(const ZeroedVector<double>& sums) const {
   return result;
 }
 
-std::vector<float> Film::color() const { return means(color_); }
-std::vector<float> Film::normal() const { return means(normal_); }
-std::vector<float> Film::albedo() const { return means(albedo_); }
+ZeroedVector<float> Film::color() const { return means(color_); }
+ZeroedVector<float> Film::normal() const { return means(normal_); }
+ZeroedVector<float> Film::albedo() const { return means(albedo_); }
 
-std::vector<float> Film::depth() const {
-  std::vector<float> result(depth_.size() / 2);
+ZeroedVector<float> Film::depth() const {
+  ZeroedVector<float> result(depth_.size() / 2);
   for (std::size_t i = 0; i < result.size(); i++) {
     const double hits = depth_[2 * i + 1];
     result[i] = hits > 0 ? static_cast<float>(depth_[2 * i] / hits) : std::numeric_limits<float>::infinity();
@@ -134,9 +134,9 @@ std::vector<float> Film::depth() const {
   return result;
 }
 
-std::vector<float> Film::variance() const {
+ZeroedVector<float> Film::variance() const {
   if (counts_ == SampleCounts::per_pixel) return {variance_.begin(), variance_.end()};
-  std::vector<float> result(squares_.size());
+  ZeroedVector<float> result(squares_.size());
   for (std::size_t i = 0; i < result.size(); i++) {
     const double n = pixel_samples_[i / 3];
     if (n < 2) continue;
@@ -146,6 +146,6 @@ std::vector<float> Film::variance() const {
   return result;
 }
 
-std::vector<float> Film::pixel_samples() const { return {pixel_samples_.begin(), pixel_samples_.end()}; }
+ZeroedVector<float> Film::pixel_samples() const { return {pixel_samples_.begin(), pixel_samples_.end()}; }
 
 }  // namespace penumbra

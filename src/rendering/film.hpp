@@ -47,12 +47,12 @@ class Film {
   void clear(const Crop& part);
 
   // Means over each pixel's samples so far, row by row from the top left of the crop; 0 where there are none.
-  std::vector<float> color() const;          // r, g, b
-  std::vector<float> depth() const;          // along the view; infinity where nothing was hit
-  std::vector<float> normal() const;         // x, y, z
-  std::vector<float> albedo() const;         // r, g, b
-  std::vector<float> variance() const;       // estimated variance of the pixel's mean: r, g, b; 0 below two samples
-  std::vector<float> pixel_samples() const;  // how many each pixel has
+  ZeroedVector<float> color() const;          // r, g, b
+  ZeroedVector<float> depth() const;          // along the view; infinity where nothing was hit
+  ZeroedVector<float> normal() const;         // x, y, z
+  ZeroedVector<float> albedo() const;         // r, g, b
+  ZeroedVector<float> variance() const;       // estimated variance of the pixel's mean: r, g, b; 0 below two samples
+  ZeroedVector<float> pixel_samples() const;  // how many each pixel has
 
   // Frees the sums of a layer, which cannot be asked for after that. Colours go last: the variance needs them too.
   void forget_depth() { free_plane(depth_); }
@@ -63,7 +63,7 @@ class Film {
  private:
   std::size_t pixel_count() const;
   std::size_t pixel_at(int x, int y) const;
-  std::vector<float> means(const ZeroedVector<double>& sums) const;
+  ZeroedVector<float> means(const ZeroedVector<double>& sums) const;
   template <class Plane>
   static void free_plane(Plane& plane) {
     Plane().swap(plane);  // the assignment of an empty list would keep the memory

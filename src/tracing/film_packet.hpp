@@ -2,6 +2,8 @@
 // in double precision and no order of samples, packets or passes shows in the picture.
 #pragma once
 
+#include <algorithm>
+
 #include "tracing/trace.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
@@ -43,61 +45,56 @@ struct PacketResult {
   }
 };
 
-// The colours of a few packets in whole quanta, which takes a third of the work of doubles.
+// The colours of packets in whole quanta, which takes a third of the work of doubles.
 struct ColorQuanta {
   static constexpr float largest = 1 << quantum_bits;  // what a colour may have
   static constexpr int most_packets = 7;               // their sums still fit 31 bits
   Ints sums[3]{0u, 0u, 0u};
   int packets = 0;
+  std::int64_t spilled[3] = {0, 0, 0};  // of all lanes of earlier packets
 
   // Adds the colours of one more packet; not if one of them is too large, or no number.
   PENUMBRA_INLINE bool add(Float3 color, float quanta) {
     const Float3 scaled = color * Floats(quanta);
-    const Mask fits =
-        (abs(scaled.x) <= Floats(largest)) & (abs(scaled.y) <= Floats(largest)) & (abs(scaled.z) <= Floats(largest));
-    if (any(~fits)) return false;
+    // As words, what is no number is larger than all numbers.
+    const Ints size = max(max(as_ints(abs(scaled.x)), as_ints(abs(scaled.y))), as_ints(abs(scaled.z)));
+    if (any(as_ints(Floats(largest)) < size)) return false;
+    if (packets == most_packets) spill();
     sums[0] += truncate(round(scaled.x));
     sums[1] += truncate(round(scaled.y));
     sums[2] += truncate(round(scaled.z));
     packets++;
     return true;
   }
+
+  // The sum of `count` lanes from `first` on.
+  PENUMBRA_INLINE std::int64_t sum(int channel, int first, int count) const {
+    alignas(64) std::uint32_t quanta[lane_count];
+    store(quanta, sums[channel]);
+    std::int64_t sum = spilled[channel];
+    for (int lane = first; lane < first + count; lane++) sum += static_cast<std::int32_t>(quanta[lane]);
+    return sum;
+  }
+
+ private:
+  PENUMBRA_INLINE void spill() {
+    for (int c = 0; c < 3; c++) {
+      spilled[c] = sum(c, 0, lane_count);
+      sums[c] = Ints(0u);
+    }
+    packets = 0;
+  }
 };
 
-// The sums of one pixel's samples, lane by lane.
+// The sums of the samples of one pixel, or of one packet of several pixels, lane by lane.
 struct PixelSums {
   ColorQuanta color;
+  bool has_values = false;  // whether there is anything but `color`
   alignas(64) double values[PacketResult::most_channels][lane_count];
   alignas(64) double squares[3][lane_count];
 
-  PENUMBRA_INLINE explicit PixelSums(const FilmView& film) {
-    const int channels = film.depth || film.normal || film.albedo ? PacketResult::most_channels : 3;
-    for (int c = 0; c < channels; c++) clear(values[c]);
-    for (int c = 0; c < (film.squares ? 3 : 0); c++) clear(squares[c]);
-  }
-  static PENUMBRA_INLINE void clear(double (&lanes)[lane_count]) {
-    for (double& lane : lanes) lane = 0;
-  }
-
-  // Adds a packet of which nothing but the colour is wanted.
-  PENUMBRA_INLINE bool add_color(Float3 packet, double quantum) {
-    if (color.packets == ColorQuanta::most_packets) settle(quantum);
-    return color.add(packet, static_cast<float>(1 / quantum));
-  }
-
-  // Brings what was counted in quanta to the sums.
-  PENUMBRA_INLINE void settle(double quantum) {
-    for (int c = 0; c < 3; c++) {
-      alignas(64) std::uint32_t quanta[lane_count];
-      store(quanta, color.sums[c]);
-      for (int lane = 0; lane < lane_count; lane++) {
-        values[c][lane] += static_cast<std::int32_t>(quanta[lane]) * quantum;
-      }
-    }
-    color = {};
-  }
-
   PENUMBRA_INLINE void add(const PacketResult& packet) {
+    if (!has_values) clear(packet);
     for (int c = 0; c < packet.channels; c++) {
       const double round = packet.round[c];
       for (int lane = 0; lane < lane_count; lane++) values[c][lane] += (double{packet.values[c][lane]} + round) - round;
@@ -110,6 +107,12 @@ struct PixelSums {
         squares[c][lane] += (value * value + square_round) - square_round;
       }
     }
+  }
+
+  PENUMBRA_INLINE void clear(const PacketResult& packet) {
+    for (int c = 0; c < packet.channels; c++) std::fill_n(values[c], lane_count, 0.0);
+    for (int c = 0; c < packet.color_channels; c++) std::fill_n(squares[c], lane_count, 0.0);
+    has_values = true;
   }
 
   // The quantum of squares: 2^-30 of the square of the largest colour, which the colour's own quantum tells.
@@ -129,9 +132,15 @@ PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
 }
 
 // Adds `count` lanes of the sums, from `first` on, to one pixel of the film.
-PENUMBRA_INLINE void add_to_film(const FilmView& film, int x, int y, const PixelSums& sums, int first, int count) {
+PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, int x, int y, const PixelSums& sums,
+                                 int first, int count) {
   const std::size_t pixel = static_cast<std::size_t>(y - film.y0) * static_cast<std::size_t>(film.width) +
                             static_cast<std::size_t>(x - film.x0);
+  for (int c = 0; c < 3; c++) {
+    film.color[3 * pixel + static_cast<std::size_t>(c)] +=
+        static_cast<double>(sums.color.sum(c, first, count)) * frame.color_quantum;
+  }
+  if (!sums.has_values) return;
   const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
     for (int c = 0; c < channels; c++) {
       plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] +=

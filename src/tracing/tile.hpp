@@ -18,6 +18,7 @@ struct TileRenderer {
   RayCounts& counts;
   RayRecorder* recorder = nullptr;
   PatternChoice pattern = frame.pattern_choice();
+  float quanta = static_cast<float>(1 / frame.color_quantum);  // of a colour of 1
 
   // Traces the samples of one packet into `sums`.
   PENUMBRA_INLINE void add_packet(const PixelSampler& pixel, Ints column, Ints row, std::uint32_t first,
@@ -30,7 +31,7 @@ struct TileRenderer {
     const bool wants_first = film.depth || film.normal || film.albedo;
     const Float3 color = trace(context, rays, active, 0, tree_root, wants_first ? &first_hits : nullptr);
     const bool wants_more = wants_first || film.squares;
-    if (!wants_more && sums.add_color(keep(active, color), frame.color_quantum)) return;
+    if (!wants_more && sums.color.add(keep(active, color), quanta)) return;
     sums.add(PacketResult(frame, film, active, color, first_hits, rays));
   }
 
@@ -46,12 +47,11 @@ struct TileRenderer {
         const Ints column(static_cast<std::uint32_t>(x));
         const Ints row(static_cast<std::uint32_t>(y));
         const PixelSampler pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame.options.seed);
-        PixelSums sums(film);
+        PixelSums sums;
         for (std::uint32_t index = first; index < end; index += lane_count) {
           add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
         }
-        sums.settle(frame.color_quantum);
-        add_to_film(film, x, y, sums, 0, lane_count);
+        add_to_film(frame, film, x, y, sums, 0, lane_count);
       }
     }
   }
@@ -75,12 +75,11 @@ struct TileRenderer {
         const Ints column = load(columns);
         const Ints row = load(rows);
         const PixelSampler pixel(column, row, frame.options.seed);
-        PixelSums sums(film);
+        PixelSums sums;
         add_packet(pixel, column, row, first, samples, mask_from_bits(inside) & samples_wanted(first, samples), sums);
-        sums.settle(frame.color_quantum);
         for (int lane = 0; lane < lane_count; lane += samples) {
           if (!(inside >> lane & 1)) continue;
-          add_to_film(film, static_cast<int>(columns[lane]), static_cast<int>(rows[lane]), sums, lane, samples);
+          add_to_film(frame, film, static_cast<int>(columns[lane]), static_cast<int>(rows[lane]), sums, lane, samples);
         }
       }
     }

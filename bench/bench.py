@@ -5,6 +5,7 @@ large picture against a small one, two threads against one, meshes against Embre
 is compared is run in turn in the same run; a table shows medians and the median of the ratios of each turn."""
 
 import argparse
+import contextlib
 import json
 import os
 import re
@@ -18,8 +19,15 @@ PROTOTYPE_SCENES = ["a", "b", "aG", "bG"]
 RUNS_OF_A_TURN = 10
 
 
-def pinned(command):
-    return ["taskset", "-c", "0"] + command
+@contextlib.contextmanager
+def one_core():
+    """Runs everything that is started inside on one core, without a program in between that has to start, too."""
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(cores)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, cores)
 
 
 def render(penumbra, scene, *options, file="out.png"):
@@ -29,7 +37,7 @@ def render(penumbra, scene, *options, file="out.png"):
         command = [penumbra, "render", scene, "-o", os.path.join(folder, file), "--quiet", "--threads", "1",
                    "--stats", stats, *options]
         start = time.perf_counter()
-        subprocess.run(pinned(command), check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         seconds = time.perf_counter() - start
         with open(stats) as file:
             return {**json.load(file), "whole_seconds": seconds}
@@ -44,7 +52,7 @@ def build_prototype(peers, folder):
 
 def prototype_seconds(program):
     """Scene name to render seconds of the prototype's faster own kernel."""
-    text = subprocess.run(pinned([program, "1"]), check=True, capture_output=True, text=True).stdout
+    text = subprocess.run([program, "1"], check=True, capture_output=True, text=True).stdout
     seconds = {}
     scene = None
     for line in text.splitlines():
@@ -136,11 +144,10 @@ def build_revision(revision):
     return os.path.join(folder, "build/release/penumbra")
 
 
-def compare_with_revision(penumbra, revision, turns):
-    if not revision:
+def compare_with_revision(penumbra, before, revision, turns):
+    if not before:
         print("An earlier revision: skipped, there is no tag (make bench BEFORE=REVISION)\n")
         return
-    before = build_revision(revision)
     print(f"Render seconds against those of {revision}, 1 thread, 16 rays per pixel, {turns} turns:\n")
     print("| scene | then s | now s | now / then |\n| --- | --: | --: | --: |")
     for scene in ["demo"] + [f"s0{n}b" for n in range(1, 10)]:
@@ -204,10 +211,10 @@ def compare_with_embree(mesh_replay, bumpy_sphere, turns):
         for rows, rays in [(188, 64), (708, 64), (2237, 16)]:
             scene = write_scene(f"sphere-{rows}", rows)
             with_ground = write_scene(f"sphere-and-ground-{rows}", rows, "ground")
-            subprocess.run(pinned([mesh_replay, scene, scene, str(rays), str(turns)]), check=True)
-            subprocess.run(pinned([mesh_replay, scene, with_ground, "16", str(turns)]), check=True)
+            subprocess.run([mesh_replay, scene, scene, str(rays), str(turns)], check=True)
+            subprocess.run([mesh_replay, scene, with_ground, "16", str(turns)], check=True)
         scene = write_instances("instances-188", 188)
-        subprocess.run(pinned([mesh_replay, scene, scene, "16", str(turns)]), check=True)
+        subprocess.run([mesh_replay, scene, scene, "16", str(turns)], check=True)
 
 
 def compare_threads(penumbra, turns):
@@ -237,16 +244,18 @@ def main():
     parser.add_argument("--turns", type=int, default=5)
     arguments = parser.parse_args()
     peers = os.environ.get("PENUMBRA_PEERS_DIR", os.path.join(ROOT, "../shared/peers"))
-    compare_with_prototype(arguments.penumbra, peers, arguments.turns)
-    compare_with_revision(arguments.penumbra, arguments.before, min(arguments.turns, 3))
-    rays_per_second(arguments.penumbra, min(arguments.turns, 3))
-    compare_sizes(arguments.penumbra, arguments.turns)
+    before = build_revision(arguments.before) if arguments.before else None
     compare_threads(arguments.penumbra, arguments.turns)
-    if arguments.mesh_replay and arguments.bumpy_sphere:
-        compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)
-    if arguments.parse_bench:
-        print("Reading:\n", flush=True)
-        subprocess.run(pinned([arguments.parse_bench]), check=True)
+    with one_core():
+        compare_with_prototype(arguments.penumbra, peers, arguments.turns)
+        compare_with_revision(arguments.penumbra, before, arguments.before, min(arguments.turns, 3))
+        rays_per_second(arguments.penumbra, min(arguments.turns, 3))
+        compare_sizes(arguments.penumbra, arguments.turns)
+        if arguments.mesh_replay and arguments.bumpy_sphere:
+            compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)
+        if arguments.parse_bench:
+            print("Reading:\n", flush=True)
+            subprocess.run([arguments.parse_bench], check=True)
 
 
 if __name__ == "__main__":

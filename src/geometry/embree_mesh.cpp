@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "geometry/coincident_triangles.hpp"
 #include "geometry/embree_library.hpp"
 
 namespace penumbra {
@@ -50,13 +51,14 @@ std::shared_ptr<RTCSceneTy> EmbreeDevice::build(const TriangleStore& store, std:
   check(device);
   embree.rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   embree.rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  const bool ties = any_coincide(store, ranges);
   for (std::size_t i = 0; i < ranges.size(); i++) {
     RTCGeometry geometry = embree.rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     embree.rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, store.vertices.data(), 0,
                                       12, store.vertices.size() / 3);
     embree.rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, store.indices.data(),
                                       std::size_t{ranges[i].first} * 12, 12, ranges[i].count);
-    embree.rtcSetGeometryIntersectFilterFunction(geometry, settle_tie);
+    if (ties) embree.rtcSetGeometryIntersectFilterFunction(geometry, settle_tie);  // one takes time for every hit
     embree.rtcCommitGeometry(geometry);
     embree.rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
     embree.rtcReleaseGeometry(geometry);

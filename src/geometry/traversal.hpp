@@ -22,8 +22,8 @@ struct SlabOrder {
   bool agreed = true;
   int enter[3], leave[3];
 
-  PENUMBRA_INLINE SlabOrder() = default;
-  PENUMBRA_INLINE SlabOrder(Float3 inverse_direction, Mask active) {
+  // In place: to copy what was only just written piece by piece makes the processor wait.
+  PENUMBRA_INLINE void find(Float3 inverse_direction, Mask active) {
     const Floats axes[3] = {inverse_direction.x, inverse_direction.y, inverse_direction.z};
     for (int axis = 0; axis < 3; axis++) {
       const Mask forward = active & (axes[axis] > Floats(0));
@@ -48,7 +48,7 @@ struct GroupRays {
       : world(w), rays(r), active(lanes) {
     if (!is_leaf(group.root)) {
       inverse_direction = safe_inverse(r.direction);
-      order = SlabOrder(inverse_direction, active);
+      order.find(inverse_direction, active);
     }
   }
 
@@ -77,14 +77,19 @@ struct GroupRays {
   mutable bool has_shear_ = false;
 };
 
-// Where the rays cross the leaf's shape, for the kinds that are one shape.
-PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf, Mask active) {
+// Where the rays cross the leaf's shape, for the kinds that are one shape. What the search does not want may be left
+// out.
+template <typename Search>
+PENUMBRA_INLINE Crossing cross_shape(const GroupRays& g, const Leaf& leaf, Mask active, const Search& search) {
   const bool placed = leaf.placement != no_placement;
   const Float3 origin = local_origin(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::triangle) {
     const Float3 corner = broadcast3(leaf.data) - origin;
     const SeenPlane plane(broadcast3(leaf.data + 9), corner, g.rays.direction);
-    if (plane.all_go_away(g.rays.direction, active)) return {Mask(false), Floats(0)};
+    const auto may_meet = [&](Mask lanes) { return any(lanes) || any(active & plane.grazing(g.rays.direction)); };
+    if (!may_meet(active & plane.ahead()) || !may_meet(active & search.wants(plane.distance(), leaf))) {
+      return {Mask(false), Floats(0)};
+    }
     return cross_triangle({corner, broadcast3(leaf.data + 3) - origin, broadcast3(leaf.data + 6) - origin, plane},
                           g.rays.direction, g.rays.nearest, g.shear());
   }
@@ -218,18 +223,19 @@ struct NearestSearch {
       leaf = select(changed, Ints(no_leaf), leaf);
       found |= changed;
     } else {
-      const Crossing crossing = cross_shape(g, candidate, active);
-      const Ints candidate_order = Ints(candidate.order);
-      const Mask nearer =
-          active & crossing.hit &
-          ((crossing.distance < distance) | ((crossing.distance == distance) & (candidate_order < order)));
+      const Crossing crossing = cross_shape(g, candidate, active, *this);
+      const Mask nearer = active & crossing.hit & wants(crossing.distance, candidate);
       if (none(nearer)) return;
       distance = select(nearer, crossing.distance, distance);
-      order = select(nearer, candidate_order, order);
+      order = select(nearer, Ints(candidate.order), order);
       leaf = select(nearer, Ints(index), leaf);
       found |= nearer;
     }
     cull_distance = distance * Floats(distance_margin);
+  }
+  // Where a leaf at this distance would be the nearest.
+  PENUMBRA_INLINE Mask wants(Floats t, const Leaf& candidate) const {
+    return (t < distance) | ((t == distance) & (Ints(candidate.order) < order));
   }
   PENUMBRA_INLINE bool done(Mask) const { return false; }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats enter) const { return active & (enter <= cull_distance); }
@@ -251,10 +257,11 @@ struct AnySearch {
     } else if (candidate.kind == LeafKind::instance) {
       blocked |= occluded_group(g.world, candidate.target, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else {
-      const Crossing crossing = cross_shape(g, candidate, active);
-      blocked |= active & crossing.hit & (crossing.distance < farthest);
+      const Crossing crossing = cross_shape(g, candidate, active, *this);
+      blocked |= active & crossing.hit & wants(crossing.distance, candidate);
     }
   }
+  PENUMBRA_INLINE Mask wants(Floats t, const Leaf&) const { return t < farthest; }
   PENUMBRA_INLINE bool done(Mask all) const { return none(all & ~blocked); }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats) const { return active & ~blocked; }
 };

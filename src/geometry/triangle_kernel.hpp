@@ -63,14 +63,12 @@ struct SeenPlane {
   PENUMBRA_INLINE SeenPlane(Float3 normal, Float3 corner, Float3 direction)
       : cosine(dot(normal, direction)), height(dot(normal, corner)) {}
 
-  // Whether the distance to the plane, height / cosine, has few digits.
+  // Where they go toward the plane.
+  PENUMBRA_INLINE Mask ahead() const { return (as_ints(cosine) ^ as_ints(height)) < Ints(0x80000000u); }
+  PENUMBRA_INLINE Floats distance() const { return height / cosine; }
+  // Where the distance has few digits.
   PENUMBRA_INLINE Mask grazing(Float3 direction) const {
     return cosine * cosine < Floats(1e-4f) * dot(direction, direction);
-  }
-  // Whether no ray can meet the triangle, as of most packets that miss it: cheaper than to ask where they pass it.
-  PENUMBRA_INLINE bool all_go_away(Float3 direction, Mask active) const {
-    const Mask toward = (as_ints(cosine) ^ as_ints(height)) < Ints(0x80000000u);
-    return none(active & toward) && none(active & grazing(direction));
   }
 };
 
@@ -96,7 +94,7 @@ PENUMBRA_INLINE Crossing cross_triangle_along(const SeenTriangle& triangle, Floa
   const Mask inside = (all_positive | all_negative) & (determinant != zero);
   if (none(inside)) return {inside, zero};
 
-  Floats t = triangle.plane.height / triangle.plane.cosine;
+  Floats t = triangle.plane.distance();
   const Mask grazing = inside & triangle.plane.grazing(direction);
   if (any(grazing)) {
     const Floats weighted = u * pa.distance(shear) + v * pb.distance(shear) + w * pc.distance(shear);

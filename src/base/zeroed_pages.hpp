@@ -69,7 +69,7 @@ class ZeroedPages {
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };
 
-// Never to be made smaller and larger again: what it grows by would not be 0.
+// A vector that was made smaller and grows again by resize() finds what was there before, not 0.
 template <class T>
 using ZeroedVector = std::vector<T, ZeroedPages<T>>;
 

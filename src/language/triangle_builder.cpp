@@ -30,7 +30,7 @@ std::uint32_t TriangleBuilder::end_polygon(bool mirrored) {
   const std::uint64_t first = polygon_start_ / 3;
   const std::uint64_t count = polygon_vertices() - 2;
   if (store_->vertices.size() / 3 > largest_index || store_->triangle_count() + count > largest_index) return 0;
-  std::vector<std::uint32_t>& indices = store_->indices;
+  ZeroedVector<std::uint32_t>& indices = store_->indices;
   make_room(indices, 3 * count, progress_, indices_at_start_);
   for (std::uint64_t i = 0; i < count; i++) {
     indices.push_back(static_cast<std::uint32_t>(first));

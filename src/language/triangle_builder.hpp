@@ -22,7 +22,7 @@ struct ReadProgress {
 // Makes room for `extra` more elements, and for those that the rest of the file will bring if it goes on like the part
 // already read, in which the vector grew from `size_at_start`.
 template <class T>
-void make_room(std::vector<T>& vector, std::size_t extra, const ReadProgress& progress, std::size_t size_at_start) {
+void make_room(ZeroedVector<T>& vector, std::size_t extra, const ReadProgress& progress, std::size_t size_at_start) {
   const std::size_t needed = vector.size() + extra;
   if (needed <= vector.capacity()) return;
   constexpr std::size_t enough_to_judge = std::size_t{1} << 16;
@@ -58,7 +58,7 @@ class TriangleBuilder {
   // Adds a corner. False if it does not fit single precision, or the store is full.
   bool add_vertex(Vec3 position) {
     if (!fits_single_precision(position)) return false;
-    std::vector<float>& vertices = store_->vertices;
+    ZeroedVector<float>& vertices = store_->vertices;
     make_room(vertices, 3, progress_, vertices_at_start_);
     vertices.push_back(static_cast<float>(position.x));
     vertices.push_back(static_cast<float>(position.y));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "base/zeroed_pages.hpp"
 
 namespace penumbra {
 
@@ -126,8 +127,8 @@ struct Group {
 // All triangles of a scene, indexed, in the order of the file: corner k of triangle i is vertices[indices[3 i + k]].
 // Shared between the pictures of one file: it only grows.
 struct TriangleStore {
-  std::vector<float> vertices;         // 3 floats a vertex, in the space of the group that holds the triangle
-  std::vector<std::uint32_t> indices;  // 3 a triangle; its outward side is (B-A)x(C-A)
+  ZeroedVector<float> vertices;         // 3 floats a vertex, in the space of the group that holds the triangle
+  ZeroedVector<std::uint32_t> indices;  // 3 a triangle; its outward side is (B-A)x(C-A)
 
   // Turns the triangles from this index on inside out. A matrix that mirrors would leave the outward side behind.
   void turn_from(std::size_t first_index) {

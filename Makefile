@@ -63,9 +63,10 @@ window-events:
 	done
 
 bench: build
-	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay bumpy_sphere
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target parse_bench mesh_replay embree_memory bumpy_sphere
 	@python3 bench/bench.py --penumbra $(BUILD)/penumbra --parse-bench $(BUILD)/bench/parse_bench \
-	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere --before "$(BEFORE)"
+	  --mesh-replay $(BUILD)/bench/mesh_replay --bumpy-sphere $(BUILD)/bench/bumpy_sphere --embree-memory $(BUILD)/bench/embree_memory \
+	  --before "$(BEFORE)"
 	@scripts/install-dependencies.sh test
 	@bench/window_latency.py --penumbra $(BUILD)/penumbra
 

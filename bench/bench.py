@@ -217,6 +217,27 @@ def compare_with_embree(mesh_replay, bumpy_sphere, turns):
         subprocess.run([mesh_replay, scene, scene, "16", str(turns)], check=True)
 
 
+def compare_memory(penumbra, embree_memory, bumpy_sphere):
+    """The peak of the whole program against 1.3 times what Embree alone takes and some bytes for each triangle."""
+    print("Memory of meshes, whole program, 300x300:\n")
+    print("| mesh | triangles | Embree's own peak MB | ours MB | bytes a triangle above 1.3 of Embree's |\n"
+          "| --- | --: | --: | --: | --: |", flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        for rows, ending in [(2237, "ply"), (2237, "cli")]:
+            mesh = os.path.join(folder, "sphere." + ending)
+            scene = os.path.join(folder, "scene.cli")
+            subprocess.run([bumpy_sphere, str(rows), mesh], check=True)
+            with open(scene, "w") as file:
+                file.write(f"light 0 5 0  1 1 1\n{'mesh' if ending == 'ply' else 'read'} sphere.{ending}\n")
+            figures = subprocess.run([embree_memory, scene], check=True, capture_output=True, text=True).stdout
+            triangles, embree = map(int, figures.split())
+            ours = render(penumbra, scene)["peak_memory_bytes"]
+            print(f"| {ending} | {triangles} | {embree >> 20} | {ours >> 20} | {(ours - 1.3 * embree) / triangles:.0f} |",
+                  flush=True)
+            os.remove(mesh)
+    print()
+
+
 def compare_threads(penumbra, turns):
     path = os.path.join(ROOT, "scenes/demo.cli")
     ratios = []
@@ -240,6 +261,7 @@ def main():
     parser.add_argument("--parse-bench")
     parser.add_argument("--mesh-replay")
     parser.add_argument("--bumpy-sphere")
+    parser.add_argument("--embree-memory")
     parser.add_argument("--before", default="", help="a revision of the project to compare with")
     parser.add_argument("--turns", type=int, default=5)
     arguments = parser.parse_args()
@@ -253,6 +275,8 @@ def main():
         compare_sizes(arguments.penumbra, arguments.turns)
         if arguments.mesh_replay and arguments.bumpy_sphere:
             compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)
+        if arguments.embree_memory and arguments.bumpy_sphere:
+            compare_memory(arguments.penumbra, arguments.embree_memory, arguments.bumpy_sphere)
         if arguments.parse_bench:
             print("Reading:\n", flush=True)
             subprocess.run([arguments.parse_bench], check=True)

@@ -50,7 +50,7 @@ TEST(Exr, CropLayersAndMetadataComeBack) {
 
 TEST(Exr, BytesDoNotDependOnThreads) {
   ImageFile file = whole_picture(test::wild(200, 300), {{"scene", "a"}});
-  file.layers.push_back({"depth.Z", std::vector<float>(200 * 300, 2.5f)});
+  file.layers.push_back({"depth.Z", ZeroedVector<float>(200 * 300, 2.5f)});
   const std::vector<std::byte> bytes = encode_exr(file);
   for (const int threads : {1, 4, 0}) {
     Imf::setGlobalThreadCount(threads);

@@ -78,7 +78,7 @@ TEST(Png, WhatCannotBeWrittenIsAnError) {
     return 0;
   };
   EXPECT_EQ(code_of({}, {}, 8), 70);
-  EXPECT_EQ(code_of({2, 2, std::vector<float>(11)}, {}, 8), 70);
+  EXPECT_EQ(code_of({2, 2, ZeroedVector<float>(11)}, {}, 8), 70);
   EXPECT_EQ(code_of(test::pattern(2, 2), {}, 12), 70);
   EXPECT_EQ(code_of(test::pattern(2, 2), {{std::string(100, 'k'), "v"}}, 8), 70);
 }
@@ -110,8 +110,8 @@ Bytes png_of_kind(int colour_type, int bits, std::vector<std::vector<png_byte>> 
 
 TEST(Png, EveryKindIsReadAsRgb) {
   const auto read = [](const Bytes& bytes) { return decode_png(bytes, "x.png").image.rgb; };
-  using Values = std::vector<float>;
-  const auto grey = [](const std::vector<float>& values) {
+  using Values = ZeroedVector<float>;
+  const auto grey = [](const ZeroedVector<float>& values) {
     Values rgb;
     for (const float v : values) rgb.insert(rgb.end(), 3, v);
     return rgb;

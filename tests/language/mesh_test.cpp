@@ -51,8 +51,8 @@ std::string binary_square(bool big, const std::string& position, const std::stri
 }
 
 void expect_square(const Scene& scene) {
-  ASSERT_EQ(scene.triangles->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
-  EXPECT_EQ(scene.triangles->vertices, (std::vector<float>{0, 0, -4, 1, 0, -4, 1, 1, -4, 0, 1, -4}));
+  ASSERT_EQ(scene.triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(scene.triangles->vertices, (ZeroedVector<float>{0, 0, -4, 1, 0, -4, 1, 1, -4, 0, 1, -4}));
   ASSERT_EQ(scene.root.objects.size(), 1u);
   EXPECT_EQ(shape_of<TriangleRange>(scene.root.objects[0]).count, 2u);
 }
@@ -72,12 +72,12 @@ TEST(Obj, isReadWithAllThatIsIgnored) {
                  "# a comment\r\nmtllib x.mtl\r\no thing\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\nv 0 1 0\r\n"
                  "vt 0 0\r\nvn 0 0 1\r\ng all\r\ns off\r\nusemtl red\r\nf 1/1/1 2/1/1 3/1/1\r\nl 1 2\r\n"
                  "f 1//1 2//1 3//1\r\nf -3 -2 -1 # backwards");
-  EXPECT_EQ(scene.triangles->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(scene.triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 1, 2}));
 }
 
 TEST(Obj, splitsPolygonsAndGoesOnBehindABackslash) {
   const Scene scene = mesh_scene("t.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng a b \\\n  c\nf 1 2 \\\n 3 4\n");
-  EXPECT_EQ(scene.triangles->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(scene.triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
 TEST(Obj, countsItsVerticesFromItsOwnFirst) {
@@ -172,8 +172,8 @@ TEST(Ply, skipsWhatItDoesNotUse) {
   data += "\2" + bytes_of(.5f, false) + bytes_of(.5f, false) + bytes_of(12, false);
   const Scene binary = mesh_scene("s.ply", data);
   for (const Scene* scene : {&text, &binary}) {
-    EXPECT_EQ(scene->triangles->vertices, (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
-    EXPECT_EQ(scene->triangles->indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(scene->triangles->vertices, (ZeroedVector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(scene->triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2}));
   }
 }
 
@@ -188,7 +188,7 @@ TEST(Ply, readsFacesInBulkUntilOneIsNoTriangle) {
   face({0, 1, 2, 3});
   face({3, 2, 1});
   EXPECT_EQ(mesh_scene("s.ply", data).triangles->indices,
-            (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 2, 3, 3, 2, 1}));
+            (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 2, 3, 3, 2, 1}));
 }
 
 TEST(Ply, followsTheMatrix) {

@@ -89,7 +89,7 @@ TEST(Triangles, areRoundedOnceFromDoublePrecision) {
 TEST(Triangles, splitPolygonsAsAFan) {
   const Scene scene = scene_of(light + quad);
   ASSERT_EQ(scene.triangles->triangle_count(), 2u);
-  EXPECT_EQ(scene.triangles->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(scene.triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   ASSERT_EQ(scene.root.objects.size(), 1u);
   EXPECT_EQ(shape_of<TriangleRange>(scene.root.objects[0]).count, 2u);
 }

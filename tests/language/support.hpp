@@ -75,7 +75,7 @@ inline std::vector<Vec3> corners(const Scene& scene, std::size_t triangle) {
   std::vector<Vec3> list;
   for (std::size_t k = 0; k < 3; k++) {
     const std::size_t v = 3 * std::size_t{scene.triangles->indices.at(3 * triangle + k)};
-    const std::vector<float>& f = scene.triangles->vertices;
+    const ZeroedVector<float>& f = scene.triangles->vertices;
     list.push_back({f.at(v), f.at(v + 1), f.at(v + 2)});
   }
   return list;

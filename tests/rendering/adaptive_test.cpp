@@ -42,14 +42,14 @@ AdaptivePicture render_noise(const std::string& text, const NoiseGoal& goal, con
 }
 
 // Many rays, of another seed.
-std::vector<float> converged(const std::string& text, int rays) {
+ZeroedVector<float> converged(const std::string& text, int rays) {
   Scene scene = scene_from(text);
   scene.rays_per_pixel = rays;
   scene.seed = 12345;
   return render_scene(scene).color;
 }
 
-double rmse_clamped(const std::vector<float>& a, const std::vector<float>& b) {
+double rmse_clamped(const ZeroedVector<float>& a, const ZeroedVector<float>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); i++) {
     const double d = std::clamp(double{a[i]}, 0.0, 1.0) - std::clamp(double{b[i]}, 0.0, 1.0);
@@ -108,7 +108,7 @@ box 0.5 -0.5 -5 1.5 0.5 -4
 }
 
 struct AllValues {
-  std::vector<float> color, depth, normal, albedo, variance, samples;
+  ZeroedVector<float> color, depth, normal, albedo, variance, samples;
   bool operator==(const AllValues&) const = default;
 };
 
@@ -146,7 +146,7 @@ TEST(Adaptive, CropsAreTheSamePixels) {
   for (const Crop crop : {Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{16, 16, 32, 32}}) {
     settings.crop = crop;
     const AllValues part = values_of(render_noise(all_effects_text(), goal, settings).film);
-    const auto expect_same = [&](const std::vector<float>& a, const std::vector<float>& b, int channels) {
+    const auto expect_same = [&](const ZeroedVector<float>& a, const ZeroedVector<float>& b, int channels) {
       int different = 0;
       for (int i = 0; i < crop.width() * crop.height() * channels; i++) {
         const int x = i / channels % crop.width() + crop.x0, y = i / channels / crop.width() + crop.y0;
@@ -167,7 +167,7 @@ TEST(Adaptive, CropsAreTheSamePixels) {
 TEST(Adaptive, ThePictureIsAsGoodAsAskedFor) {
   constexpr int width = scaled(48, 24), height = scaled(36, 18);
   for (const std::string& text : {shadow_text(width, height), blur_text(width, height), specks_text(width, height)}) {
-    const std::vector<float> truth = converged(text, scaled(4096, 512));
+    const ZeroedVector<float> truth = converged(text, scaled(4096, 512));
     double samples_before = 0;
     for (const float error : {0.02f, 0.01f}) {
       const AdaptivePicture picture = render_noise(text, {error, 1 << 16});
@@ -202,7 +202,7 @@ constexpr int squares = (squares_size / squares_apart) * (squares_size / squares
 // Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
 TEST(Adaptive, SpecksAreFound) {
   const AdaptivePicture picture = render_noise(squares_text(0.2, 1), {0.02f, 4096});
-  const std::vector<float> color = picture.film.color(), samples = picture.film.pixel_samples();
+  const ZeroedVector<float> color = picture.film.color(), samples = picture.film.pixel_samples();
   double sum = 0;
   int far_from_truth = 0, lit = 0;
   for (std::size_t i = 0; i < samples.size(); i++) {
@@ -220,8 +220,8 @@ TEST(Adaptive, SpecksAreFound) {
 TEST(Adaptive, SmallLampsAreFound) {
   constexpr float error = 0.01f;
   const AdaptivePicture picture = render_noise(squares_text(0.005, 40), {error, 1 << 16});
-  const std::vector<float> color = picture.film.color();
-  std::vector<float> truth(color.size());
+  const ZeroedVector<float> color = picture.film.color();
+  ZeroedVector<float> truth(color.size());
   for (int y = squares_apart / 2; y < squares_size; y += squares_apart) {
     for (int x = squares_apart / 2; x < squares_size; x += squares_apart) {
       for (int c = 0; c < 3; c++) truth[static_cast<std::size_t>(3 * (y * squares_size + x) + c)] = 0.2f;
@@ -236,7 +236,7 @@ TEST(Adaptive, MoreRaysWhereTheNoiseIs) {
       "image_size 64 64\nfov 60\nbackground 0.1 0.1 0.1\ndiffuse 0 0 0 1 1 1\npush\nrotatez 17\n"
       "box 0 -99 -6 99 99 -5\npop\n",
       {0.01f, 4096});
-  const std::vector<float> samples = picture.film.pixel_samples(), color = picture.film.color();
+  const ZeroedVector<float> samples = picture.film.pixel_samples(), color = picture.film.color();
   double edge = 0, flat = 0;
   int edge_pixels = 0, flat_pixels = 0;
   const auto at = [](int x, int y) { return static_cast<std::size_t>(y * 64 + x); };
@@ -270,13 +270,13 @@ TEST(Adaptive, TheVarianceIsHonest) {
   for (const Case& c :
        {Case{shadow_text(width, height), Pattern::sobol}, Case{blur_text(width, height), Pattern::sobol},
         Case{blur_text(width, height), Pattern::random}}) {
-    const std::vector<float> truth = converged(c.text, scaled(4096, 1024));
+    const ZeroedVector<float> truth = converged(c.text, scaled(4096, 1024));
     RenderSettings settings;
     settings.layers.variance = true;
     settings.pattern = c.pattern;
     for (const float error : {0.03f, 0.015f}) {
       const AdaptivePicture picture = render_noise(c.text, {error, 1 << 16}, settings);
-      const std::vector<float> color = picture.film.color(), variance = picture.film.variance();
+      const ZeroedVector<float> color = picture.film.color(), variance = picture.film.variance();
       double estimated = 0, squared_errors = 0;
       for (std::size_t i = 0; i < color.size(); i++) {
         estimated += variance[i];
@@ -291,8 +291,8 @@ TEST(Adaptive, TheVarianceIsHonest) {
   RenderSettings settings;
   settings.layers.variance = true;
   const Picture3 uniform = render_scene(scene, settings);
-  const std::vector<float> truth = converged(shadow_text(width, height), scaled(4096, 1024));
-  const std::vector<float> as_if_independent = uniform.film.variance();
+  const ZeroedVector<float> truth = converged(shadow_text(width, height), scaled(4096, 1024));
+  const ZeroedVector<float> as_if_independent = uniform.film.variance();
   double independent = 0, squared_errors = 0;
   for (std::size_t i = 0; i < truth.size(); i++) {
     independent += as_if_independent[i];

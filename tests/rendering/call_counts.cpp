@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <malloc.h>
 #include <pthread.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -50,6 +53,11 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return m
 int posix_memalign(void** result, std::size_t alignment, std::size_t size) noexcept {
   *result = memalign(alignment, size);
   return *result ? 0 : ENOMEM;
+}
+// What comes straight from the kernel counts alike (base/zeroed_pages.hpp).
+void* mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
 }
 
 int pthread_mutex_lock(pthread_mutex_t* lock) noexcept { return count_and_lock("pthread_mutex_lock", lock); }

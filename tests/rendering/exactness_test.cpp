@@ -14,7 +14,7 @@ namespace {
 const std::string rays_of_hits = "reflection_rays 3\ntransmission_rays 2\nshadow_rays 4\n";
 
 struct AllValues {
-  std::vector<float> color, depth, normal, albedo, variance;
+  ZeroedVector<float> color, depth, normal, albedo, variance;
   bool operator==(const AllValues&) const = default;
 };
 
@@ -50,7 +50,7 @@ TEST(Exactness, CropsAreTheSamePixels) {
            {Crop{0, 0, 53, 37}, Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{1, 35, 52, 36}}) {
         settings.crop = crop;
         const AllValues part = values_of(text, settings);
-        const auto same = [&](const std::vector<float>& a, const std::vector<float>& b, int channels) {
+        const auto same = [&](const ZeroedVector<float>& a, const ZeroedVector<float>& b, int channels) {
           int different = 0;
           for (int y = 0; y < crop.height(); y++) {
             for (int x = 0; x < crop.width(); x++) {

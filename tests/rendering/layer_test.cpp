@@ -23,7 +23,7 @@ std::size_t pixel(int x, int y, int width) { return static_cast<std::size_t>(y *
 TEST(Layers, DepthIsAlongTheViewAndInfiniteOnAMiss) {
   // A wall at z = -7 that covers the right half; off the axis its depth is still 7.
   const Picture3 picture = render_text("image_size 40 30\nfov 80\nbox 0 -99 -8 99 99 -7\n", with_layers());
-  const std::vector<float> depth = picture.film.depth();
+  const ZeroedVector<float> depth = picture.film.depth();
   for (int y = 0; y < 30; y++) {
     for (int x = 0; x < 40; x++) {
       if (x < 20) {
@@ -55,7 +55,7 @@ TEST(Layers, DepthIsMeasuredFromTheEyeAndByHitsOnly) {
       "uvw 0 0 1 0 1 0 -1 0 0\nbox 6 -99 3 6.0001 99 99\n",
       scaled(256, 64));
   const Picture3 picture = render_text(text, with_layers());
-  const std::vector<float> depth = picture.film.depth();
+  const ZeroedVector<float> depth = picture.film.depth();
   for (int y = 0; y < 9; y++) {
     EXPECT_TRUE(std::isinf(depth[pixel(0, y, 9)]));
     EXPECT_NEAR(depth[pixel(4, y, 9)], 5, 1e-4);
@@ -67,7 +67,8 @@ TEST(Layers, NormalAndAlbedoAreThoseOfTheFirstHit) {
   const std::string text =
       "image_size 30 20\nfov 60\nlight 0 5 0 0.1 0.1 0.1\nglossy 0.5 0.25 2 1 1 1 10 0.5 0.1\nsphere 1 0 0 -3\n";
   const Picture3 picture = render_text(text, with_layers());
-  const std::vector<float> normal = picture.film.normal(), albedo = picture.film.albedo(), depth = picture.film.depth();
+  const ZeroedVector<float> normal = picture.film.normal(), albedo = picture.film.albedo(),
+                            depth = picture.film.depth();
   const double k = std::tan(30 * 3.14159265358979 / 180);
   int hits = 0;
   for (int y = 0; y < 20; y++) {
@@ -108,7 +109,7 @@ TEST(Layers, VarianceOfABernoulliPixel) {
       "disk_light 0 1000 0 1 0 1 0 1 1 1\nsurface 1 1 1\nbox -9 -1 -9 9 0 9\nbox -900 400 -900 0 400.1 900\n",
       size, rays);
   const Picture3 picture = render_text(text, settings);
-  const std::vector<float> variance = picture.film.variance();
+  const ZeroedVector<float> variance = picture.film.variance();
   double sum = 0, squares = 0, estimates = 0;
   for (int y = 0; y < size; y++) {
     for (int x = 0; x < size; x++) {

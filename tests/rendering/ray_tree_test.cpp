@@ -21,7 +21,7 @@ std::array<float, 3> rendered_sample(const Frame& frame, const Kernel& kernel, i
   RenderState state;
   render_samples(film, frame, kernel, plan, {sample, sample + 1}, state);
   film.set_samples(plan.crop, 1);  // those before it were left out
-  const std::vector<float> color = film.color();
+  const ZeroedVector<float> color = film.color();
   return {color[0], color[1], color[2]};
 }
 

@@ -60,13 +60,13 @@ inline Frame frame_from(const Scene& scene, const RenderSettings& settings = {})
 struct Picture3 {
   Film film;
   RayCounts rays;
-  std::vector<float> color;
+  ZeroedVector<float> color;
 
   explicit Picture3(Film f, RayCounts r) : film(std::move(f)), rays(r), color(film.color()) {}
 
   // In coordinates of the full picture.
   Vec3 at(int x, int y) const { return value(color, x, y); }
-  Vec3 value(const std::vector<float>& means, int x, int y) const {
+  Vec3 value(const ZeroedVector<float>& means, int x, int y) const {
     const Crop& c = film.crop();
     const auto i = 3 * static_cast<std::size_t>((y - c.y0) * c.width() + (x - c.x0));
     return {means[i], means[i + 1], means[i + 2]};

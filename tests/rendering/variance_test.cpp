@@ -21,7 +21,7 @@ Scene scene_of_file(const std::filesystem::path& path) {
   return {};
 }
 
-std::vector<float> colors(Scene scene, Pattern pattern, int rays, std::uint32_t seed) {
+ZeroedVector<float> colors(Scene scene, Pattern pattern, int rays, std::uint32_t seed) {
   scene.rays_per_pixel = rays;
   scene.seed = seed;
   RenderSettings settings;
@@ -30,10 +30,10 @@ std::vector<float> colors(Scene scene, Pattern pattern, int rays, std::uint32_t 
 }
 
 // The mean squared difference from the converged picture, over pixels, channels and five seeds.
-double variance(const Scene& scene, Pattern pattern, const std::vector<float>& converged) {
+double variance(const Scene& scene, Pattern pattern, const ZeroedVector<float>& converged) {
   double sum = 0;
   for (std::uint32_t seed = 0; seed < 5; seed++) {
-    const std::vector<float> color = colors(scene, pattern, 64, seed);
+    const ZeroedVector<float> color = colors(scene, pattern, 64, seed);
     for (std::size_t i = 0; i < color.size(); i++) {
       const double difference = double{color[i]} - double{converged[i]};
       sum += difference * difference;
@@ -46,7 +46,7 @@ double ratio_to_random(const std::filesystem::path& path, int width, int height)
   Scene scene = scene_of_file(path);
   scene.width = width;
   scene.height = height;
-  const std::vector<float> converged = colors(scene, Pattern::sobol, 2048, 1000);
+  const ZeroedVector<float> converged = colors(scene, Pattern::sobol, 2048, 1000);
   return variance(scene, Pattern::sobol, converged) / variance(scene, Pattern::random, converged);
 }
 

@@ -219,10 +219,10 @@ TEST_F(FrameTest, joinTheirMotion) {
   ASSERT_EQ(render(rays + Words{"--shutter", "0,1.25", "-o", path("long.exr")}), 0) << said();
   const auto difference_of_mean = [&](const Words& options) {
     EXPECT_EQ(render(rays + options + Words{"--frames", "0-4", "-o", path("out.exr")}), 0) << said();
-    const std::vector<float> whole = read_image(path("long.exr")).image.rgb;
+    const ZeroedVector<float> whole = read_image(path("long.exr")).image.rgb;
     std::vector<double> mean(whole.size());
     for (const char* number : {"0000", "0001", "0002", "0003", "0004"}) {
-      const std::vector<float> frame = read_image(file(number, ".exr")).image.rgb;
+      const ZeroedVector<float> frame = read_image(file(number, ".exr")).image.rgb;
       for (std::size_t i = 0; i < mean.size(); i++) mean[i] += frame[i] / 5.0;
     }
     double largest = 0;

@@ -18,7 +18,7 @@
 namespace penumbra::test {
 
 struct FilmValues {
-  std::vector<float> color, depth, normal, albedo, variance, samples;
+  ZeroedVector<float> color, depth, normal, albedo, variance, samples;
   bool operator==(const FilmValues&) const = default;
 };
 

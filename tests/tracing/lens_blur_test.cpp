@@ -277,9 +277,9 @@ TEST(LensBlur, NoneInThePlaneInFocus) {
     const std::string scene =
         fmt::format("image_size 64 64\nfov 100\nrays_per_pixel {}\neye 0 0 0\n", rays) + squares(distance);
     RenderSettings settings;
-    const std::vector<float> sharp = render_text(scene, settings).color;
+    const ZeroedVector<float> sharp = render_text(scene, settings).color;
     settings.lens_model = model;
-    const std::vector<float> blurred = render_text("camera_lens 2 2 5\n" + scene, settings).color;
+    const ZeroedVector<float> blurred = render_text("camera_lens 2 2 5\n" + scene, settings).color;
     double changed = 0;
     for (std::size_t i = 0; i < sharp.size(); i += 3) changed += std::abs(sharp[i] - blurred[i]) * rays;
     return changed;

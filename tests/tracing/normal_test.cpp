@@ -45,7 +45,7 @@ TEST(Normals, OfEllipsoidsUnderEveryKindOfMatrix) {
   const double k = std::tan(20 * 3.14159265358979 / 180);
   for (const std::string& text : cases) {
     const Picture3 picture = render_text(fmt::format("image_size {0} {0}\nfov 40\n", pixels) + text, settings);
-    const std::vector<float> normals = picture.film.normal(), depths = picture.film.depth();
+    const ZeroedVector<float> normals = picture.film.normal(), depths = picture.film.depth();
     int seen = 0;
     for (int y = 0; y < pixels; y++) {
       for (int x = 0; x < pixels; x++) {

@@ -48,7 +48,7 @@ void check(const std::string& text, Vec3 hit, Vec3 direction, double radius, Vec
       settings.pattern = pattern;
       settings.layers.variance = true;
       const Picture3 picture = render_text(text + environment(signs), settings);
-      const std::vector<float> variances = picture.film.variance();
+      const ZeroedVector<float> variances = picture.film.variance();
       for (int c = 0; c < 3; c++) {
         // No number differs by more than 1 from the mean: its square varies no more than itself.
         const double variance = expected.variance[c];

@@ -32,8 +32,8 @@ struct Errors {
 };
 
 // Another seed's, with many more rays.
-const std::vector<float>& true_picture() {
-  static const std::vector<float> picture = [] {
+const ZeroedVector<float>& true_picture() {
+  static const ZeroedVector<float> picture = [] {
     Scene scene = test::scene_from(soft_shadow);
     scene.rays_per_pixel = 4096;
     scene.seed = 77;
@@ -46,7 +46,7 @@ const std::vector<float>& true_picture() {
 Errors errors_after(std::uint32_t rays, Pattern pattern) {
   LoadedScene loaded;
   loaded.scene = std::make_shared<const Scene>(test::scene_from(soft_shadow));
-  const std::vector<float>& truth = true_picture();
+  const ZeroedVector<float>& truth = true_picture();
 
   PictureOptions options;
   options.sampler = pattern;

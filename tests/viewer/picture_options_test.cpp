@@ -39,7 +39,7 @@ class PictureOptionsTest : public testing::Test {
     EXPECT_EQ(result.exit_code, 0) << result.output;
     return result.exit_code == 0 ? std::string() : result.output;
   }
-  std::vector<float> pixels(const std::string& scene, const std::string& options) {
+  ZeroedVector<float> pixels(const std::string& scene, const std::string& options) {
     picture(scene, options);
     return read_image(folder_ / "it.exr").image.rgb;
   }

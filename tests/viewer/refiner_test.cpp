@@ -52,7 +52,7 @@ class RefinerTest : public testing::Test {
     return wait([rays](const RefinerNews& news) { return news.picture && news.picture->rays == rays; }).picture;
   }
 
-  std::vector<float> rendered(int rays, const PictureOptions& options = {}) const {
+  ZeroedVector<float> rendered(int rays, const PictureOptions& options = {}) const {
     Scene scene = with_options(*loaded_->scene, options);
     scene.rays_per_pixel = rays;
     test::RenderSettings settings;

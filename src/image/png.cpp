@@ -85,8 +85,7 @@ bool write_picture(Writer& writer, int width, int height, int bits, png_text* te
 ZeroedVector<png_byte> quantized(const ZeroedVector<float>& values, int bits, Rounding rounding) {
   ZeroedVector<png_byte> samples(values.size() * static_cast<std::size_t>(bits / 8));
   if (bits == 8) {
-    std::transform(values.begin(), values.end(), samples.begin(),
-                   [rounding](float v) { return quantize_8(v, rounding); });  // by value, so that it runs in vectors
+    std::transform(values.begin(), values.end(), samples.begin(), [&](float v) { return quantize_8(v, rounding); });
     return samples;
   }
   for (std::size_t i = 0; i < values.size(); i++) {

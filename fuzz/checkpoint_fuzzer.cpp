@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   frame.height = 10;
   frame.options.rays_per_pixel = rays;
   Kernel kernel{};
-  kernel.render_tile = [](const Frame&, const FilmView&, const TileSamples&, RayCounts&) {};
+  kernel.render_pixels = [](const Frame&, const FilmView&, const PixelSamples&, RayCounts&) {};
   const std::unique_ptr<ResumableRender> render = render_for(data[0], frame, kernel);
   const auto bytes = std::as_bytes(std::span(data + 1, size - 1));
   try {

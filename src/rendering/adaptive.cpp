@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "rendering/first_round.hpp"
+#include "rendering/pixel_list.hpp"
 #include "rendering/portion.hpp"
+#include "rendering/saved_sums.hpp"
 
 namespace penumbra {
 namespace {
@@ -43,7 +45,6 @@ bool is_stopped(const RenderState& state) { return state.stop.load(std::memory_o
 struct AdaptiveRender::Thread {
   RayCounts rays;
   TileRefinement refinement;
-  std::vector<ColorSum> sums;
 };
 
 AdaptiveRender::AdaptiveRender(const Frame& frame, const Kernel& kernel, const Plan& plan, const NoiseGoal& goal)
@@ -125,7 +126,6 @@ RayCounts AdaptiveRender::for_tiles(RenderState& state, const Work& work) {
   RayCounts rays;
   const auto run = [&] {
     Thread thread;
-    thread.sums.resize(4 * noise_tile_size * noise_tile_size);
     while (!is_stopped(state)) {
       const int index = next_tile.fetch_add(1, std::memory_order_relaxed);
       if (index >= grid_.count()) break;
@@ -187,24 +187,20 @@ void AdaptiveRender::render_first(int index, Thread& thread, RenderState& state)
 // The first round of some pixels of a tile; incomplete if it was stopped.
 void AdaptiveRender::render_first(const Crop& pixels, Thread& thread, const RenderState& state) {
   const FilmView view = film_.view();
+  const PixelList list = pixels_of(pixels);
+  std::array<ColorSum, 4 * PixelList::most_pixels> sums;
   const std::uint32_t samples = (1u << rules_.first_level) / 4;
   for (std::uint32_t block = 0; block < 4; block++) {
     const SampleRange range{block * samples, (block + 1) * samples};
-    if (!render_portions(view, frame_, kernel_, pixels, range, thread.rays, state)) return;
-    std::size_t i = block;
-    for_pixels(pixels, [&](int x, int y) {
-      const double* sum = view.color + 3 * pixel_at(x, y);
-      thread.sums[i] = {sum[0], sum[1], sum[2]};
-      i += 4;
-    });
+    if (!render_portions(view, frame_, kernel_, list.all(), range, thread.rays, state)) return;
+    for (std::size_t i = 0; i < list.all().size(); i++) sums[4 * i + block] = color_sum(view, list.all()[i]);
   }
-  std::size_t i = 0;
-  for_pixels(pixels, [&](int x, int y) {
-    const ColorSum* s = &thread.sums[i];
-    noise_[pixel_at(x, y)] = first_noise({s[0], s[1] - s[0], s[2] - s[1], s[3] - s[2]}, rules_.first_level);
-    i += 4;
-  });
-  film_.set_samples(pixels, 1u << rules_.first_level);
+  for (std::size_t i = 0; i < list.all().size(); i++) {
+    const ColorSum* s = &sums[4 * i];
+    noise_[view.index_of(list.all()[i])] =
+        first_noise({s[0], s[1] - s[0], s[2] - s[1], s[3] - s[2]}, rules_.first_level);
+  }
+  film_.set_samples(list.all(), 1u << rules_.first_level);
 }
 
 // The second round of a tile.

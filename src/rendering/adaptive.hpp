@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/zeroed_pages.hpp"
 #include "rendering/adaptive_rules.hpp"
 #include "rendering/film.hpp"
 #include "rendering/plan.hpp"
@@ -77,7 +78,7 @@ class AdaptiveRender : public ResumableRender {
   const Frame& frame_;
   const Kernel& kernel_;
   AdaptiveRules rules_;
-  std::vector<PixelNoise> noise_;  // after the first round, for all pixels of the film
+  ZeroedVector<PixelNoise> noise_;  // after the first round, for all pixels of the film
   std::vector<Tile> tiles_;
 };
 

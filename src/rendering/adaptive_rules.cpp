@@ -7,9 +7,6 @@
 namespace penumbra {
 namespace {
 
-// The variance of single samples in a pixel of ordinary noise.
-constexpr float ordinary_variance = 0.02f;
-
 // Samples of the first round, times the goal: the error of a pixel in which they all miss something bright, as far as
 // one that covers a few times 1 / samples of it is likely missed. What glows more than white needs more of them; what
 // is so bright and so small that 4096 samples miss it, stays unseen.
@@ -39,15 +36,11 @@ AdaptiveRules::AdaptiveRules(const NoiseGoal& goal, const Frame& frame)
       most_level(static_cast<int>(std::bit_width(goal.most_rays)) - 1),
       first_level(level_of_first_round(goal, frame, most_level)) {}
 
-bool AdaptiveRules::is_worth_more(float squared_error, int level) const {
-  const float improvement = squared_error / static_cast<float>(1u << level);
-  return squared_error > goal_squared || improvement * ordinary_variance > goal_squared * goal_squared;
-}
-
 int AdaptiveRules::expected_level(const PixelNoise& noise) const {
+  const float falls_by = 1 / rates.expected;
   float squared_error = noise.halves.clamped / (4 * (rates.expected - 1));
   int level = first_level;
-  for (; level < most_level && is_worth_more(squared_error, level); level++) squared_error /= rates.expected;
+  for (; level < most_level && is_worth_more(squared_error, level); level++) squared_error *= falls_by;
   return level;
 }
 

@@ -25,11 +25,17 @@ struct NoiseGoal {
 struct AdaptiveRules {
   AdaptiveRules(const NoiseGoal& goal, const Frame& frame);
 
+  // The variance of single samples in a pixel of ordinary noise.
+  static constexpr float ordinary_variance = 0.02f;
+
   float goal_squared;
   NoiseRates rates;
   int most_level, first_level;
 
-  bool is_worth_more(float squared_error, int level) const;
+  bool is_worth_more(float squared_error, int level) const {
+    const float improvement = squared_error / static_cast<float>(1u << level);
+    return squared_error > goal_squared || improvement * ordinary_variance > goal_squared * goal_squared;
+  }
   // What a pixel may end with, by its own noise after the first round.
   int expected_level(const PixelNoise& noise) const;
 };

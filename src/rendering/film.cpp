@@ -61,8 +61,8 @@ std::uint64_t Film::total_samples() const {
   return std::accumulate(pixel_samples_.begin(), pixel_samples_.end(), std::uint64_t{0});
 }
 
-void Film::set_samples(const Crop& pixels, std::uint32_t count) {
-  for_rows(pixel_samples_, crop_, pixels, [count](auto row) { std::fill(row.begin(), row.end(), count); });
+void Film::set_samples(std::span<const PixelPlace> pixels, std::uint32_t count) {
+  for (const PixelPlace& p : pixels) pixel_samples_[pixel_at(static_cast<int>(p.x), static_cast<int>(p.y))] = count;
 }
 
 void Film::set_variance(int x, int y, const std::array<float, 3>& rgb) {

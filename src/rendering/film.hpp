@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -26,7 +27,7 @@ class Film {
 
   // Whoever adds samples says so, pixel by pixel.
   std::uint32_t samples_at(int x, int y) const { return pixel_samples_[pixel_at(x, y)]; }
-  void set_samples(const Crop& pixels, std::uint32_t count);
+  void set_samples(std::span<const PixelPlace> pixels, std::uint32_t count);
   void set_variance(int x, int y, const std::array<float, 3>& rgb);
 
   std::uint32_t samples() const;        // of the pixel that has the fewest

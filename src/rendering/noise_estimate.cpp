@@ -19,37 +19,52 @@ float power(float base, int exponent) {
   return result;
 }
 
-// Calls `visit(pixel, dx, dy)` for the pixels at most `reach` away.
-template <class Visit>
-void for_neighbours(const NoiseWindow& window, std::size_t place, int reach, const Visit& visit) {
-  const PixelNoise* own = &window[place];
-  for (int dy = -reach; dy <= reach; dy++) {
-    for (int dx = -reach; dx <= reach; dx++) {
-      const PixelNoise& pixel = own[dy * noise_window_size + dx];
-      if (pixel.halves_known > 0) visit(pixel, dx, dy);
-    }
+// As a screen shows it.
+double shown(double color) { return std::min(std::max(color, 0.0), 1.0); }
+
+// What estimates of variances have in common, at one rate.
+struct VarianceRate {
+  explicit VarianceRate(float r) : rate(r), per_half(1 / (4 * (r - 1))), per_quarter(1 / r) {}
+
+  // Of what `part(difference)` tells of the three differences of one pixel.
+  template <class Part>
+  float own_variance(const PixelNoise& pixel, const Part& part) const {
+    constexpr float mean[] = {1, 1.0f / 2, 1.0f / 3};  // by the halves known
+    const float quarters = part(pixel.quarters) * static_cast<float>(pixel.halves_known) * per_quarter;
+    return (part(pixel.halves) + quarters) * mean[pixel.halves_known] * per_half;
   }
-}
 
-float observed_rate(const NoiseWindow& window, std::size_t place, const NoiseRates& rates) {
-  float halves = 0, quarters = 0;
-  for_neighbours(window, place, noise_reach, [&](const PixelNoise& pixel, int, int) {
-    const auto samples = static_cast<float>(pixel.samples());
-    halves += samples * pixel.halves.clamped;
-    quarters += samples * pixel.quarters.clamped;
-  });
-  if (!(halves > 0)) return rates.expected;
-  const float rate = (quarters / halves + weight_of_expected_rate * rates.expected) / (1 + weight_of_expected_rate);
-  return std::clamp(rate, rates.lowest, rates.highest);
-}
+  // The mean of a pixel and those next to it, had they as many samples.
+  template <class Part>
+  float smooth_variance(const NoiseWindow& window, std::size_t place, const Part& part) const {
+    const PixelNoise* own = &window[place];
+    float sum = 0, weights = 0;
+    for (int dy = -1; dy <= 1; dy++) {
+      for (int dx = -1; dx <= 1; dx++) {
+        const PixelNoise& pixel = own[dy * noise_window_size + dx];
+        if (pixel.halves_known == 0) continue;
+        const float weight = (dx == 0 ? 2.0f : 1.0f) * (dy == 0 ? 2.0f : 1.0f);
+        sum += weight * power(rate, pixel.level - own->level) * own_variance(pixel, part);
+        weights += weight;
+      }
+    }
+    return sum / weights;
+  }
 
-// From the three differences of one pixel.
-SquaredDifference own_variance(const PixelNoise& pixel, float rate) {
-  const float by_halves = 1 / (4 * (rate - 1));
-  const auto known = static_cast<float>(pixel.halves_known);
-  SquaredDifference sum = pixel.halves * by_halves;
-  sum += pixel.quarters * (known * by_halves / rate);
-  return sum * (1 / (1 + known));
+  float rate, per_half, per_quarter;
+};
+
+// Sums over the pixels at most `noise_reach` away.
+std::array<float, noise_window_size * noise_window_size> sums_around(const WindowRates& values) {
+  constexpr int first = noise_reach * noise_window_size, end = noise_window_size * noise_window_size - first;
+  WindowRates columns{}, sums{};
+  for (int dy = -noise_reach; dy <= noise_reach; dy++) {
+    for (int i = first; i < end; i++) columns[i] += values[i + dy * noise_window_size];
+  }
+  for (int dx = -noise_reach; dx <= noise_reach; dx++) {
+    for (int i = first + noise_reach; i < end - noise_reach; i++) sums[i] += columns[i + dx];
+  }
+  return sums;
 }
 
 }  // namespace
@@ -68,10 +83,11 @@ SquaredDifference operator*(const SquaredDifference& d, float factor) {
 }
 
 SquaredDifference squared_difference(const ColorSum& a, const ColorSum& b, double samples) {
+  const double weight = 1 / samples;
   SquaredDifference result;
   for (std::size_t c = 0; c < 3; c++) {
-    const double x = a[c] / samples, y = b[c] / samples;
-    const double clamped = std::clamp(x, 0.0, 1.0) - std::clamp(y, 0.0, 1.0);
+    const double x = a[c] * weight, y = b[c] * weight;
+    const double clamped = shown(x) - shown(y);
     result.clamped += static_cast<float>(clamped * clamped / 3);
     result.rgb[c] = static_cast<float>((x - y) * (x - y));
   }
@@ -105,18 +121,37 @@ PixelNoise doubled_noise(const PixelNoise& old, const ColorSum& before, const Co
   return noise;
 }
 
-NoiseEstimate estimate_noise(const NoiseWindow& window, std::size_t place, const NoiseRates& rates) {
-  const PixelNoise& own = window[place];
-  const float rate = observed_rate(window, place, rates);
-  SquaredDifference smooth;
-  float weights = 0;
-  for_neighbours(window, place, 1, [&](const PixelNoise& pixel, int dx, int dy) {
-    const float weight = (dx == 0 ? 2.0f : 1.0f) * (dy == 0 ? 2.0f : 1.0f);
-    smooth += own_variance(pixel, rate) * (weight * power(rate, pixel.level - own.level));
-    weights += weight;
-  });
-  smooth = smooth * (1 / weights);
-  return {rate, std::max(smooth.clamped, own_share * own_variance(own, rate).clamped), smooth.rgb};
+WindowRates observed_rates(const NoiseWindow& window, const NoiseRates& rates) {
+  WindowRates halves, quarters;
+  for (std::size_t i = 0; i < window.size(); i++) {
+    const auto samples = window[i].halves_known > 0 ? static_cast<float>(window[i].samples()) : 0.0f;
+    halves[i] = samples * window[i].halves.clamped;
+    quarters[i] = samples * window[i].quarters.clamped;
+  }
+  halves = sums_around(halves);
+  quarters = sums_around(quarters);
+  WindowRates result;
+  for (std::size_t i = 0; i < window.size(); i++) {
+    const float observed = halves[i] > 0 ? quarters[i] / halves[i] : rates.expected;
+    const float rate = (observed + weight_of_expected_rate * rates.expected) / (1 + weight_of_expected_rate);
+    result[i] = std::clamp(rate, rates.lowest, rates.highest);
+  }
+  return result;
+}
+
+float squared_error(const NoiseWindow& window, std::size_t place, float rate) {
+  const VarianceRate at(rate);
+  const auto clamped = [](const SquaredDifference& difference) { return difference.clamped; };
+  return std::max(at.smooth_variance(window, place, clamped), own_share * at.own_variance(window[place], clamped));
+}
+
+std::array<float, 3> variance(const NoiseWindow& window, std::size_t place, float rate) {
+  std::array<float, 3> result;
+  for (std::size_t c = 0; c < 3; c++) {
+    const auto channel = [c](const SquaredDifference& difference) { return difference.rgb[c]; };
+    result[c] = VarianceRate(rate).smooth_variance(window, place, channel);
+  }
+  return result;
 }
 
 }  // namespace penumbra

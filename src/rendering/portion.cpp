@@ -1,6 +1,7 @@
 #include "rendering/portion.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace penumbra {
 namespace {
@@ -27,26 +28,25 @@ std::uint32_t Portion::end_after(std::uint32_t first, std::uint32_t end) const {
   return end - aligned > samples ? aligned + samples : end;
 }
 
-Portion portion_for(const Frame& frame, int width, int height) {
+Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples) {
   const double samples = rays_at_once / rays_of_sample(frame);
-  const auto packets = [&](int w, int h) { return samples / (double{samples_of_packet} * w * h); };
-  while (height > 1 && packets(width, height) < 1) height /= 2;
-  while (width > 1 && packets(width, height) < 1) width /= 2;
-  const auto whole_packets = static_cast<std::uint32_t>(std::max(packets(width, height), 1.0));
-  return {width, height, whole_packets * samples_of_packet};
+  const auto packets = [&] { return samples / (double{samples_of_packet} * static_cast<double>(pixels)); };
+  const double fewest_packets = std::max(static_cast<double>(fewest_samples) / samples_of_packet, 1.0);
+  while (pixels > 1 && packets() < fewest_packets) pixels /= 2;
+  return {pixels, static_cast<std::uint32_t>(std::max(packets(), 1.0)) * samples_of_packet};
 }
 
-bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel, const Crop& pixels,
-                     SampleRange range, RayCounts& counts, const RenderState& state) {
-  const Portion portion = portion_for(frame, pixels.width(), pixels.height());
+bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel,
+                     std::span<const PixelPlace> pixels, SampleRange range, RayCounts& counts,
+                     const RenderState& state) {
+  const Portion portion = portion_for(frame, std::bit_ceil(pixels.size()));
   for (std::uint32_t first = range.first; first < range.end;) {
     const std::uint32_t end = portion.end_after(first, range.end);
-    for (int y = pixels.y0; y < pixels.y1; y += portion.height) {
-      for (int x = pixels.x0; x < pixels.x1; x += portion.width) {
-        if (state.stop.load(std::memory_order_relaxed)) return false;
-        const int x1 = std::min(x + portion.width, pixels.x1), y1 = std::min(y + portion.height, pixels.y1);
-        kernel.render_tile(frame, film, {x, y, x1, y1, first, end}, counts);
-      }
+    for (auto left = pixels; !left.empty();) {
+      if (state.stop.load(std::memory_order_relaxed)) return false;
+      const auto next = portion.next_of(left);
+      kernel.render_pixels(frame, film, {next, first, end}, counts);
+      left = left.subspan(next.size());
     }
     first = end;
   }

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "rendering/pixel_list.hpp"
 #include "rendering/portion.hpp"
 #include "rendering/tile_grid.hpp"
 
@@ -26,22 +27,22 @@ struct FreeCpuSet {
 // same number of samples.
 void render_tile(Film& film, const FilmView& view, const Frame& frame, const Kernel& kernel, const Crop& tile,
                  SampleRange range, RayCounts& counts, RenderState& state) {
-  const Portion portion = portion_for(frame, tile_size, tile_size);
-  for (int y = tile.y0; y < tile.y1; y += portion.height) {
-    for (int x = tile.x0; x < tile.x1; x += portion.width) {
-      const Crop pixels{x, y, std::min(x + portion.width, tile.x1), std::min(y + portion.height, tile.y1)};
-      const auto pixel_count = static_cast<std::uint64_t>(pixels.width()) * static_cast<std::uint64_t>(pixels.height());
-      for (std::uint32_t first = std::max(range.first, film.samples_at(x, y)); first < range.end;) {
-        if (state.stop.load(std::memory_order_relaxed)) return;
-        const std::uint32_t end = portion.end_after(first, range.end);
-        const std::uint64_t rays_before = counts.total();
-        kernel.render_tile(frame, view, {pixels.x0, pixels.y0, pixels.x1, pixels.y1, first, end}, counts);
-        film.set_samples(pixels, end);
-        state.pixel_samples_done.fetch_add(pixel_count * (end - first), std::memory_order_relaxed);
-        state.rays.fetch_add(counts.total() - rays_before, std::memory_order_relaxed);
-        first = end;
-      }
+  const Portion portion = portion_for(frame, std::size_t{tile_size} * tile_size);
+  const PixelList pixels = pixels_of(tile);
+  for (auto left = pixels.all(); !left.empty();) {
+    const auto next = portion.next_of(left);
+    const std::uint32_t done = film.samples_at(static_cast<int>(next[0].x), static_cast<int>(next[0].y));
+    for (std::uint32_t first = std::max(range.first, done); first < range.end;) {
+      if (state.stop.load(std::memory_order_relaxed)) return;
+      const std::uint32_t end = portion.end_after(first, range.end);
+      const std::uint64_t rays_before = counts.total();
+      kernel.render_pixels(frame, view, {next, first, end}, counts);
+      film.set_samples(next, end);
+      state.pixel_samples_done.fetch_add(next.size() * (end - first), std::memory_order_relaxed);
+      state.rays.fetch_add(counts.total() - rays_before, std::memory_order_relaxed);
+      first = end;
     }
+    left = left.subspan(next.size());
   }
 }
 

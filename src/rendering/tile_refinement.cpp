@@ -1,5 +1,8 @@
 #include "rendering/tile_refinement.hpp"
 
+#include <bit>
+
+#include "rendering/pixel_list.hpp"
 #include "rendering/portion.hpp"
 #include "rendering/saved_sums.hpp"
 
@@ -8,39 +11,6 @@ namespace {
 
 // Below this many samples a half is not rendered in two parts: packets would not be filled.
 constexpr std::uint32_t fewest_samples_in_parts = 32;
-
-ColorSum color_sum(const FilmView& film, std::size_t pixel) {
-  return {film.color[3 * pixel], film.color[3 * pixel + 1], film.color[3 * pixel + 2]};
-}
-
-// False, and nothing done, if it was stopped.
-bool double_samples(int x, int y, PixelNoise& noise, const TileRefinement::Place& place, RayCounts& counts,
-                    const RenderState& state) {
-  const FilmView view = place.film.view();
-  const std::size_t pixel = static_cast<std::size_t>(y - view.y0) * static_cast<std::size_t>(view.width) +
-                            static_cast<std::size_t>(x - view.x0);
-  const Crop here{x, y, x + 1, y + 1};
-  const auto render = [&](std::uint32_t first, std::uint32_t end) {
-    return render_portions(view, place.frame, place.kernel, here, {first, end}, counts, state);
-  };
-  const SavedSums all_before(view, pixel);
-  const ColorSum before = color_sum(view, pixel);
-  const std::uint32_t n = noise.samples();
-  const bool in_parts = n >= fewest_samples_in_parts;
-  const std::uint32_t half_way = in_parts ? n + n / 2 : 2 * n;
-  bool complete = render(n, half_way);
-  const ColorSum middle = color_sum(view, pixel);
-  complete = complete && render(half_way, 2 * n);
-  if (!complete) {
-    all_before.put_back(view, pixel);
-    return false;
-  }
-  const ColorSum end = color_sum(view, pixel);
-  const SquaredDifference parts = squared_difference(middle - before, end - middle, n / 2.0);
-  noise = doubled_noise(noise, before, end - before, in_parts ? &parts : nullptr);
-  place.film.set_samples(here, 2 * n);
-  return true;
-}
 
 }  // namespace
 
@@ -52,26 +22,70 @@ bool TileRefinement::go_on(const Place& place, RayCounts& counts, const RenderSt
 }
 
 bool TileRefinement::double_due(const Place& place, RayCounts& counts, const RenderState& state) {
-  for (int y = tile_.y0; y < tile_.y1; y++) {
-    for (int x = tile_.x0; x < tile_.x1; x++) {
-      const std::size_t i = index_of(x, y);
-      if (marks_[i] != Mark::due) continue;
-      if (!double_samples(x, y, window_[i], place, counts, state)) return false;
-      marks_[i] = Mark::none;
+  std::uint32_t levels = 0;  // a bit for each that there is
+  const PixelList all_due = pixels_of(tile_, [&](int x, int y) {
+    const std::size_t i = index_of(x, y);
+    if (marks_[i] != Mark::due) return false;
+    levels |= window_[i].samples();
+    return true;
+  });
+  for (; levels != 0; levels &= levels - 1) {
+    const int level = std::countr_zero(levels);
+    PixelList due;
+    for (const PixelPlace& pixel : all_due.all()) {
+      if (window_[index_of(pixel)].level == level) due.add(pixel);
+    }
+    const Portion portion = portion_for(place.frame, std::bit_ceil(due.all().size()), 1u << level);
+    for (auto left = due.all(); !left.empty();) {
+      const auto next = portion.next_of(left);
+      if (!double_samples(next, level, place, counts, state)) return false;
+      left = left.subspan(next.size());
     }
   }
   return true;
 }
 
+// Of pixels that all have 2^level samples. False, and nothing done, if it was stopped.
+bool TileRefinement::double_samples(std::span<const PixelPlace> pixels, int level, const Place& place,
+                                    RayCounts& counts, const RenderState& state) {
+  const FilmView view = place.film.view();
+  const auto render = [&](std::uint32_t first, std::uint32_t end) {
+    return render_portions(view, place.frame, place.kernel, pixels, {first, end}, counts, state);
+  };
+  const SavedSums all_before(view, pixels);
+  std::array<ColorSum, PixelList::most_pixels> before, middle;
+  const std::uint32_t n = 1u << level;
+  const bool in_parts = n >= fewest_samples_in_parts;
+  const std::uint32_t half_way = in_parts ? n + n / 2 : 2 * n;
+  for (std::size_t i = 0; i < pixels.size(); i++) before[i] = color_sum(view, pixels[i]);
+  bool complete = render(n, half_way);
+  for (std::size_t i = 0; i < pixels.size(); i++) middle[i] = color_sum(view, pixels[i]);
+  complete = complete && render(half_way, 2 * n);
+  if (!complete) {
+    all_before.put_back(view, pixels);
+    return false;
+  }
+  for (std::size_t i = 0; i < pixels.size(); i++) {
+    const ColorSum end = color_sum(view, pixels[i]);
+    const SquaredDifference parts = squared_difference(middle[i] - before[i], end - middle[i], n / 2.0);
+    const std::size_t k = index_of(pixels[i]);
+    window_[k] = doubled_noise(window_[k], before[i], end - before[i], in_parts ? &parts : nullptr);
+    marks_[k] = Mark::none;
+  }
+  place.film.set_samples(pixels, 2 * n);
+  return true;
+}
+
 // False if no pixel is worth more samples.
 bool TileRefinement::mark_due(const AdaptiveRules& rules) {
+  const WindowRates observed = observed_rates(window_, rules.rates);
   bool any = false;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
       const std::size_t i = index_of(x, y);
       const int level = window_[i].level;
       if (marks_[i] == Mark::at_end) continue;
-      if (!rules.is_worth_more(estimate_noise(window_, i, rules.rates).squared_error, level)) continue;
+      if (!rules.is_worth_more(squared_error(window_, i, observed[i]), level)) continue;
       marks_[i] = level < rules.most_level ? Mark::due : Mark::at_end;
       any = any || marks_[i] == Mark::due;
     }
@@ -80,15 +94,14 @@ bool TileRefinement::mark_due(const AdaptiveRules& rules) {
 }
 
 int TileRefinement::finish(const Place& place, const Crop& crop) const {
+  const WindowRates observed = observed_rates(window_, place.rules.rates);
   int unfinished = 0;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
       const std::size_t i = index_of(x, y);
       const bool inside = x >= crop.x0 && y >= crop.y0 && x < crop.x1 && y < crop.y1;
       if (inside && marks_[i] == Mark::at_end) unfinished++;
-      if (place.film.layers().variance) {
-        place.film.set_variance(x, y, estimate_noise(window_, i, place.rules.rates).variance);
-      }
+      if (place.film.layers().variance) place.film.set_variance(x, y, variance(window_, i, observed[i]));
     }
   }
   return unfinished;

@@ -1,9 +1,10 @@
 // The second round of one tile of an adaptive render: the samples of all pixels that are worth it are doubled, again
-// and again, until none is. It can be stopped between any two pixels, and goes on in the same way.
+// and again, until none is. It can be stopped between any two portions of them, and goes on in the same way.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "base/archive.hpp"
 #include "rendering/adaptive_rules.hpp"
@@ -48,11 +49,14 @@ class TileRefinement {
   // `due`: in this turn, the pixel's samples are to be doubled yet. `at_end`: it has the most samples there are.
   enum class Mark : std::uint8_t { none, due, at_end };
 
+  std::size_t index_of(PixelPlace pixel) const { return index_of(static_cast<int>(pixel.x), static_cast<int>(pixel.y)); }
   std::size_t index_of(int x, int y) const {
     const int column = x - tile_.x0 + noise_reach, row = y - tile_.y0 + noise_reach;
     return static_cast<std::size_t>(row) * noise_window_size + static_cast<std::size_t>(column);
   }
   bool double_due(const Place& place, RayCounts& counts, const RenderState& state);
+  bool double_samples(std::span<const PixelPlace> pixels, int level, const Place& place, RayCounts& counts,
+                      const RenderState& state);
   bool mark_due(const AdaptiveRules& rules);
   template <class Archive, class Self>
   static void exchange(Archive& archive, Self& self);

@@ -1,29 +1,33 @@
-// Sobol's sequence (Sobol 1967) with the direction numbers of Joe and Kuo (2008), scrambled after Owen (1995): each bit
-// of a coordinate is flipped by a hash of the bits before it.
+// Sobol's sequence (Sobol 1967), scrambled after Owen (1995): each bit of a coordinate is flipped by a hash of the bits
+// before it. Which polynomial serves which dimension of an eye ray, and its initial numbers, were searched for
+// (bench/direction_numbers.cpp): edges run through the pixel and the lens, the pixel and the light, the pixel and time,
+// and the points of these dimensions together are to be spread evenly. Against the usual order and the numbers of Joe
+// and Kuo (2008), 64 to 256 rays a pixel leave an error of 0.9 in soft shadows and of 0.8 in motion blur.
 #include "sampling/sobol_table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "base/hash.hpp"
 
 namespace penumbra {
 namespace {
 
-// Degree, coefficients and initial numbers of the primitive polynomials for dimensions 2 to 7 (new-joe-kuo-6).
+// Degree, coefficients and initial numbers of the primitive polynomials. The first dimension, pixel_x, has none.
 struct Polynomial {
   int degree;
   std::uint32_t coefficients;
-  std::array<std::uint32_t, 4> initial;
+  std::array<std::uint32_t, 5> initial;
 };
 constexpr std::array<Polynomial, joint_dimension_count - 1> polynomials{{
-    {1, 0, {1}},
-    {2, 1, {1, 3}},
-    {3, 1, {1, 3, 1}},
-    {3, 2, {1, 1, 1}},
-    {4, 1, {1, 1, 3, 3}},
-    {4, 4, {1, 3, 5, 13}},
+    {1, 0, {1}},                   // pixel_y
+    {4, 4, {1, 3, 1, 3}},          // lens_radius
+    {5, 13, {1, 1, 5, 15, 21}},    // lens_angle
+    {2, 1, {1, 3}},                // first_light_radius
+    {3, 1, {1, 1, 3}},             // first_light_angle
+    {3, 2, {1, 1, 5}},             // shutter_time
 }};
 
 using Directions = std::array<std::uint32_t, 32>;
@@ -45,24 +49,58 @@ Directions direction_numbers(std::uint32_t dimension) {
   return v;
 }
 
-// Owen's nested uniform scrambling of x: every bit is flipped or not by the bits before it. One hash of the bits so far
+// Owen's nested uniform scrambling: every bit is flipped or not by the bits before it. One hash of the bits so far
 // decides the next four: the choices are a tree of fifteen. No two of the first 2^16 points share their first sixteen
 // bits, so the rest is simply random.
-std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-  constexpr int shared_bits = 16, bits_of_hash = 4;
-  std::uint32_t result = 0;
-  for (int level = 0; level < shared_bits; level += bits_of_hash) {
-    const std::uint32_t prefix = level == 0 ? 1 : (x >> (32 - level)) | (1u << level);  // a marker of how many
-    const std::uint32_t choices = hash(seed, prefix);
-    std::uint32_t node = 1;
-    for (int bit = level; bit < level + bits_of_hash; bit++) {
-      const std::uint32_t digit = (x >> (31 - bit)) & 1;
-      result |= (digit ^ ((choices >> node) & 1)) << (31 - bit);
-      node = 2 * node + digit;
+class OwenScrambling {
+ public:
+  // For so many points of a sequence in base 2, which have all the digits there are to begin with: these are scrambled
+  // once for all points.
+  OwenScrambling(std::uint32_t points, std::uint32_t seed) : seed_(seed), beginnings_{0} {
+    while ((std::uint64_t{1} << (known_bits_ + digit_bits)) <= points && known_bits_ < shared_bits) {
+      std::vector<std::uint32_t> longer;
+      longer.reserve(beginnings_.size() << digit_bits);
+      for (std::uint32_t prefix = 0; prefix < beginnings_.size(); prefix++) {
+        const std::uint32_t choices = choices_after(prefix, known_bits_);
+        for (std::uint32_t digit = 0; digit < 1u << digit_bits; digit++) {
+          longer.push_back(beginnings_[prefix] << digit_bits | scrambled(digit, choices));
+        }
+      }
+      beginnings_ = std::move(longer);
+      known_bits_ += digit_bits;
     }
   }
-  return result | (hash(seed, (x >> shared_bits) | (1u << shared_bits)) & 0xffffu);
-}
+
+  std::uint32_t operator()(std::uint32_t x) const {
+    std::uint32_t result = beginnings_[std::uint64_t{x} >> (32 - known_bits_)];
+    for (int bits = known_bits_; bits < shared_bits; bits += digit_bits) {
+      const auto prefix = static_cast<std::uint32_t>(std::uint64_t{x} >> (32 - bits));
+      const std::uint32_t digit = x >> (32 - bits - digit_bits) & ((1u << digit_bits) - 1);
+      result = result << digit_bits | scrambled(digit, choices_after(prefix, bits));
+    }
+    return result << (32 - shared_bits) | (hash(seed_, (x >> shared_bits) | (1u << shared_bits)) & 0xffffu);
+  }
+
+ private:
+  static constexpr int shared_bits = 16, digit_bits = 4;
+
+  // With a marker of how many bits the prefix has.
+  std::uint32_t choices_after(std::uint32_t prefix, int bits) const { return hash(seed_, prefix | (1u << bits)); }
+
+  static std::uint32_t scrambled(std::uint32_t digit, std::uint32_t choices) {
+    std::uint32_t result = 0, node = 1;
+    for (int i = digit_bits - 1; i >= 0; i--) {
+      const std::uint32_t bit = digit >> i & 1;
+      result = result << 1 | (bit ^ (choices >> node & 1));
+      node = 2 * node + bit;
+    }
+    return result;
+  }
+
+  std::uint32_t seed_;
+  int known_bits_ = 0;
+  std::vector<std::uint32_t> beginnings_;  // scrambled, of all the prefixes of `known_bits_`
+};
 
 }  // namespace
 
@@ -72,13 +110,13 @@ SobolTable make_sobol_table(std::uint32_t count, std::uint32_t seed) {
   table.values.resize(std::size_t{table.size} * joint_dimension_count);
   for (std::uint32_t dimension = 0; dimension < joint_dimension_count; dimension++) {
     const Directions v = direction_numbers(dimension);
-    const std::uint32_t scramble_seed = hash(seed, dimension + 1);
+    const OwenScrambling scramble(table.size, hash(seed, dimension + 1));
     std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
     for (std::uint32_t index = 1; index < table.size; index++) {
       points[index] = points[index & (index - 1)] ^ v[static_cast<std::size_t>(std::countr_zero(index))];
     }
     for (std::uint32_t index = 0; index < table.size; index++) {
-      points[index] = owen_scramble(points[index], scramble_seed);
+      points[index] = scramble(points[index]);
     }
   }
   return table;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "base/zeroed_pages.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
@@ -12,7 +12,7 @@ namespace penumbra {
 // index] as 32-bit fractions. Read only once made; shared by all threads.
 struct SobolTable {
   std::uint32_t size = 0;  // a multiple of 16
-  std::vector<std::uint32_t> values;
+  ZeroedVector<std::uint32_t> values;
 };
 
 inline constexpr std::uint32_t largest_sobol_table = 1u << 16;

@@ -67,19 +67,23 @@ struct ColorQuanta {
     return true;
   }
 
-  // The sum of `count` lanes from `first` on.
-  PENUMBRA_INLINE std::int64_t sum(int channel, int first, int count) const {
+  // The sums of `lanes` lanes each, from lane 0 on: `visit(group, sum)` for that many groups of them.
+  template <class Visit>
+  PENUMBRA_INLINE void for_groups(int channel, std::size_t groups, int lanes, const Visit& visit) const {
     alignas(64) std::uint32_t quanta[lane_count];
     store(quanta, sums[channel]);
-    std::int64_t sum = spilled[channel];
-    for (int lane = first; lane < first + count; lane++) sum += static_cast<std::int32_t>(quanta[lane]);
-    return sum;
+    const std::uint32_t* lane = quanta;
+    for (std::size_t group = 0; group < groups; group++) {
+      std::int64_t sum = spilled[channel];
+      for (int i = 0; i < lanes; i++) sum += static_cast<std::int32_t>(*lane++);
+      visit(group, sum);
+    }
   }
 
  private:
   PENUMBRA_INLINE void spill() {
     for (int c = 0; c < 3; c++) {
-      spilled[c] = sum(c, 0, lane_count);
+      for_groups(c, 1, lane_count, [&](std::size_t, std::int64_t sum) { spilled[c] = sum; });
       sums[c] = Ints(0u);
     }
     packets = 0;
@@ -131,34 +135,37 @@ PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
   return part[0];
 }
 
-// Adds `count` lanes of the sums, from `first` on, to one pixel of the film.
-PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, int x, int y, const PixelSums& sums,
-                                 int first, int count) {
-  const std::size_t pixel = static_cast<std::size_t>(y - film.y0) * static_cast<std::size_t>(film.width) +
-                            static_cast<std::size_t>(x - film.x0);
-  for (int c = 0; c < 3; c++) {
-    film.color[3 * pixel + static_cast<std::size_t>(c)] +=
-        static_cast<double>(sums.color.sum(c, first, count)) * frame.color_quantum;
+// Adds the sums to the film: `lanes` lanes belong to each of the pixels.
+PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, std::span<const PixelPlace> pixels,
+                                 const PixelSums& sums, int lanes) {
+  for (std::size_t c = 0; c < 3; c++) {
+    sums.color.for_groups(static_cast<int>(c), pixels.size(), lanes, [&](std::size_t i, std::int64_t sum) {
+      film.color[3 * film.index_of(pixels[i]) + c] += static_cast<double>(sum) * frame.color_quantum;
+    });
   }
   if (!sums.has_values) return;
-  const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
-    for (int c = 0; c < channels; c++) {
-      plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] +=
-          sum_of_lanes(values[c] + first, count);
+  for (std::size_t i = 0; i < pixels.size(); i++) {
+    const std::size_t pixel = film.index_of(pixels[i]);
+    const std::size_t first = i * static_cast<std::size_t>(lanes);
+    const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
+      for (int c = 0; c < channels; c++) {
+        plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] +=
+            sum_of_lanes(values[c] + first, lanes);
+      }
+    };
+    add_plane(film.color, sums.values, 3);
+    if (film.squares) add_plane(film.squares, sums.squares, 3);
+    int channel = 3;
+    if (film.depth) {
+      add_plane(film.depth, sums.values + channel, 2);
+      channel += 2;
     }
-  };
-  add_plane(film.color, sums.values, 3);
-  if (film.squares) add_plane(film.squares, sums.squares, 3);
-  int channel = 3;
-  if (film.depth) {
-    add_plane(film.depth, sums.values + channel, 2);
-    channel += 2;
+    if (film.normal) {
+      add_plane(film.normal, sums.values + channel, 3);
+      channel += 3;
+    }
+    if (film.albedo) add_plane(film.albedo, sums.values + channel, 3);
   }
-  if (film.normal) {
-    add_plane(film.normal, sums.values + channel, 3);
-    channel += 3;
-  }
-  if (film.albedo) add_plane(film.albedo, sums.values + channel, 3);
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

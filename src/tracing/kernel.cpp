@@ -1,7 +1,7 @@
 // Compiled once for each instruction set: everything per ray, behind the functions of one table.
 #include "tracing/kernel.hpp"
 
-#include "tracing/tile.hpp"
+#include "tracing/packets.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
@@ -11,8 +11,8 @@ void record_sample(const Frame&, int x, int y, std::uint32_t sample, std::uint32
 
 namespace {
 
-void render_tile(const Frame& frame, const FilmView& film, const TileSamples& tile, RayCounts& counts) {
-  TileRenderer{frame, film, tile, counts}.render();
+void render_pixels(const Frame& frame, const FilmView& film, const PixelSamples& wanted, RayCounts& counts) {
+  PacketRenderer{frame, film, wanted, counts}.render();
 }
 
 struct ProbePacket {
@@ -180,7 +180,7 @@ constexpr const char* isa_name = vector_lanes == 16 ? "avx512" : vector_lanes ==
 
 }  // namespace
 
-const Kernel kernel = {isa_name,        vector_lanes,   render_tile, recording::record_sample,
+const Kernel kernel = {isa_name,        vector_lanes,   render_pixels, recording::record_sample,
                        probe_intersect, probe_occluded, evaluate,    sample_points};
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -2,6 +2,7 @@
 // of lanes that was compiled. Nothing else of the compiled packets is visible outside.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +24,11 @@ struct RayCounts {
   std::uint64_t total() const { return camera + shadow + reflection + transmission; }
 };
 
+// Where a pixel is in the picture.
+struct PixelPlace {
+  std::uint32_t x, y;
+};
+
 // Where the sums of samples go: planes of doubles, `channels` numbers a pixel, row by row over the window that starts
 // at (x0, y0); a plane that is not wanted is null. Every number is a whole multiple of its quantum before it is added,
 // so that the sums are exact and do not depend on the order of the samples.
@@ -33,11 +39,18 @@ struct FilmView {
   double* normal = nullptr;   // 3
   double* albedo = nullptr;   // 3
   int x0 = 0, y0 = 0, width = 0;
+
+  // The number of a pixel of the window.
+  std::size_t index_of(PixelPlace pixel) const {
+    return static_cast<std::size_t>(static_cast<int>(pixel.y) - y0) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(static_cast<int>(pixel.x) - x0);
+  }
 };
 
-// Pixels x0 <= x < x1, y0 <= y < y1 of the picture, samples first <= index < end of each.
-struct TileSamples {
-  int x0, y0, x1, y1;
+// Samples first <= index < end of each of these pixels. Pixels that follow each other should be near each other: where
+// few samples of each are wanted, they share packets.
+struct PixelSamples {
+  std::span<const PixelPlace> pixels;
   std::uint32_t first, end;
 };
 
@@ -111,8 +124,8 @@ struct Kernel {
   const char* isa;  // sse42, avx2, avx512
   int lanes;
   // Adds the samples to the film and the rays to the counts. Allocates nothing.
-  void (*render_tile)(const Frame&, const FilmView&, const TileSamples&, RayCounts&);
-  // Traces one sample of a pixel, as render_tile does for a picture of `count` samples, and tells all its rays.
+  void (*render_pixels)(const Frame&, const FilmView&, const PixelSamples&, RayCounts&);
+  // Traces one sample of a pixel, as render_pixels does for a picture of `count` samples, and tells all its rays.
   void (*record_sample)(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count, const RayListener&);
   // The two questions of the world, for tests and tools: the same packets as in a picture, ray by ray.
   void (*intersect)(const World&, std::span<const ProbeRay>, std::span<ProbeHit>);

@@ -1,7 +1,7 @@
 // The same code as kernel.cpp, compiled a second time with the calls that keep a record: pictures do not pay for them.
 #define PENUMBRA_RECORDS
 #include "tracing/kernel.hpp"
-#include "tracing/tile.hpp"
+#include "tracing/packets.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
@@ -22,7 +22,8 @@ void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::
   film.width = 1;
   RayCounts counts;
   RayRecorder recorder(frame.world, listener, static_cast<int>(sample - first));
-  TileRenderer{frame, film, {x, y, x + 1, y + 1, first, end}, counts, &recorder}.render();
+  const PixelPlace pixel{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
+  PacketRenderer{frame, film, {{&pixel, 1}, first, end}, counts, &recorder}.render();
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -352,14 +352,14 @@ TEST(NoiseEstimate, OfIndependentSamples) {
       sums.push_back(blocks[0] + blocks[1] + blocks[2] + blocks[3]);
       pixel = first_noise(blocks, 4);
     });
-    after_first += estimate_noise(window, middle, rates_of_independent_samples).variance[1];
+    after_first += variance(window, middle, observed_rates(window, rates_of_independent_samples)[middle])[1];
     std::size_t k = 0;
     for_block([&](PixelNoise& pixel) {
       const ColorSum a = sum_of(8), b = sum_of(8);
       const SquaredDifference parts = squared_difference(a, b, 8);
       pixel = doubled_noise(pixel, sums[k++], a + b, &parts);
     });
-    after_doubling += estimate_noise(window, middle, rates_of_independent_samples).variance[1];
+    after_doubling += variance(window, middle, observed_rates(window, rates_of_independent_samples)[middle])[1];
   }
   const double tolerance = 5 * std::sqrt(2.0 / (10 * windows));
   EXPECT_NEAR(after_first / windows * 12 * 16, 1, tolerance);
@@ -377,13 +377,38 @@ TEST(NoiseEstimate, OfNets) {
       pixel.halves = {4 * (rate - 1), {4 * (rate - 1), 0, 0}};
       pixel.quarters = pixel.halves * rate;
     }
-    return estimate_noise(window, middle, {rate, rate, rate});
+    return std::pair(squared_error(window, middle, rate), variance(window, middle, rate));
   };
   for (const float rate : {2.0f, 2.5f, 3.0f}) {
-    EXPECT_NEAR(with_rate(rate).squared_error, 1, 1e-5);
-    EXPECT_NEAR(with_rate(rate).variance[0], 1, 1e-5);
-    EXPECT_EQ(with_rate(rate).variance[1], 0);
+    const auto [error, rgb] = with_rate(rate);
+    EXPECT_NEAR(error, 1, 1e-5);
+    EXPECT_NEAR(rgb[0], 1, 1e-5);
+    EXPECT_EQ(rgb[1], 0);
   }
+}
+
+// The rate observed lies between what is expected and what the differences of the pixels around tell, one part in
+// eleven from there; it is the ratio of their sums, those of pixels with more samples weighing as much more.
+TEST(NoiseEstimate, ObservesRates) {
+  NoiseWindow window{};
+  constexpr std::size_t middle = (noise_window_size + 1) * noise_window_size / 2;
+  const NoiseRates rates{2, 2.5f, 4};
+  EXPECT_EQ(observed_rates(window, rates)[middle], 2.5f);
+  double halves = 0, quarters = 0;
+  for (int y = -3; y <= 3; y++) {
+    for (int x = -3; x <= 3; x++) {
+      PixelNoise& pixel = window[middle + static_cast<std::size_t>(y * noise_window_size + x)];
+      pixel.level = static_cast<std::uint8_t>(4 + (x + y + 6) % 3);
+      pixel.halves_known = 1;
+      pixel.halves.clamped = static_cast<float>(1 + x * x);
+      pixel.quarters.clamped = static_cast<float>(8 + y);
+      if (std::abs(x) > noise_reach || std::abs(y) > noise_reach) continue;
+      halves += pixel.samples() * pixel.halves.clamped;
+      quarters += pixel.samples() * pixel.quarters.clamped;
+    }
+  }
+  EXPECT_NEAR(observed_rates(window, rates)[middle], (quarters / halves + 10 * 2.5) / 11, 1e-5);
+  EXPECT_EQ(observed_rates(window, {2, 2.1f, 2.12f})[middle], 2.12f);
 }
 
 // Colours beyond 0..1 look alike: no error there.

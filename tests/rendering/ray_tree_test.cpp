@@ -8,6 +8,7 @@
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 #include "rendering/all_effects.hpp"
+#include "rendering/pixel_list.hpp"
 #include "rendering/render_text.hpp"
 
 namespace penumbra {
@@ -20,7 +21,7 @@ std::array<float, 3> rendered_sample(const Frame& frame, const Kernel& kernel, i
   Film film(plan.crop, {});
   RenderState state;
   render_samples(film, frame, kernel, plan, {sample, sample + 1}, state);
-  film.set_samples(plan.crop, 1);  // those before it were left out
+  film.set_samples(pixels_of(plan.crop).all(), 1);  // those before it were left out
   const ZeroedVector<float> color = film.color();
   return {color[0], color[1], color[2]};
 }

@@ -1,8 +1,10 @@
 // What Sobol points promise exactly: at every power of two, each elementary interval of the first two joint dimensions
-// and of every padded pair holds one point ((0,2)-nets), each dimension is stratified, and more points only add to
-// fewer.
+// and of every padded pair holds one point ((0,2)-nets), joint dimensions that make pictures together are nets of some
+// quality, each dimension is stratified, and more points only add to fewer.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sampling/points.hpp"
@@ -62,6 +64,73 @@ TEST(Sobol, AlignedBlocksAreNets) {
       const Points block{{points.u.begin() + begin, points.u.begin() + begin + 64},
                          {points.v.begin() + begin, points.v.begin() + begin + 64}};
       for (int a = 0; a <= 6; a++) EXPECT_TRUE(is_net(block, 6, a));
+    }
+  }
+}
+
+// The least t so that the first 2^m points have 2^t in each elementary interval of volume 2^(t-m).
+class NetQuality {
+ public:
+  NetQuality(const std::vector<std::vector<float>>& coordinates, int m) : coordinates_(coordinates), m_(m) {}
+
+  int t() const {
+    for (int bits = m_; bits > 0; bits--) {
+      if (all_shapes_hold(std::vector<std::size_t>(std::size_t{1} << m_), 0, bits, bits)) return m_ - bits;
+    }
+    return m_;
+  }
+
+ private:
+  // For all ways to share the `left` bits out to the dimensions from `dimension` on; `cells` tells where the points are
+  // by the bits of those before.
+  bool all_shapes_hold(const std::vector<std::size_t>& cells, std::size_t dimension, int left, int bits) const {
+    if (dimension == coordinates_.size()) {
+      std::vector<int> counts(std::size_t{1} << bits);
+      for (const std::size_t cell : cells) counts[cell]++;
+      return left > 0 || std::ranges::all_of(counts, [&](int count) { return count == 1 << (m_ - bits); });
+    }
+    for (int here = 0; here <= left; here++) {
+      std::vector<std::size_t> finer(cells.size());
+      for (std::size_t i = 0; i < cells.size(); i++) {
+        const float place = coordinates_[dimension][i] * static_cast<float>(1 << here);
+        finer[i] = (cells[i] << here) + static_cast<std::size_t>(place);
+      }
+      if (!all_shapes_hold(finer, dimension + 1, left - here, bits)) return false;
+    }
+    return true;
+  }
+
+  const std::vector<std::vector<float>>& coordinates_;
+  int m_;
+};
+
+// For 4, 8, ... 512 points, as bench/direction_numbers.cpp tells of the numbers it finds.
+TEST(Sobol, JointDimensionsAreNetsTogether) {
+  const Frame frame = sampling_frame(Pattern::sobol, 512, 5);
+  std::vector<std::vector<float>> all;
+  for (const Dimensions pair : {Dimensions{pixel_x}, Dimensions{lens_radius}, Dimensions{first_light_radius}}) {
+    const Points points = points_of(frame, 7, 4, pair, 512);
+    all.push_back(points.u);
+    all.push_back(points.v);
+  }
+  all.push_back(points_of(frame, 7, 4, time_dimension, 512).u);
+  struct Promise {
+    const char* name;
+    std::vector<JointDimension> dimensions;
+    std::array<int, 8> t;
+  };
+  const Promise promises[] = {
+      {"lens", {lens_radius, lens_angle}, {0, 0, 1, 0, 1, 1, 1, 2}},
+      {"light", {first_light_radius, first_light_angle}, {0, 0, 1, 1, 1, 1, 2, 2}},
+      {"pixel and time", {pixel_x, pixel_y, shutter_time}, {1, 1, 2, 2, 1, 2, 2, 2}},
+      {"pixel and lens", {pixel_x, pixel_y, lens_radius, lens_angle}, {1, 1, 2, 2, 3, 4, 3, 3}},
+      {"pixel and light", {pixel_x, pixel_y, first_light_radius, first_light_angle}, {1, 2, 1, 2, 2, 2, 3, 3}},
+  };
+  for (const Promise& promise : promises) {
+    std::vector<std::vector<float>> coordinates;
+    for (const JointDimension d : promise.dimensions) coordinates.push_back(all[d]);
+    for (int m = 2; m <= 9; m++) {
+      EXPECT_EQ(NetQuality(coordinates, m).t(), promise.t[static_cast<std::size_t>(m - 2)]) << promise.name << " " << m;
     }
   }
 }

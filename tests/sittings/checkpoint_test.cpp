@@ -16,7 +16,7 @@ std::vector<std::byte> example(const Setting& setting) {
   RenderState state;
   const StoppingKernel kernel(state.stop);
   const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
-  StoppingKernel::stop_in_call(100);
+  StoppingKernel::stop_in_call(4 * 9 + 3);
   render->run(state);
   EXPECT_FALSE(render->is_finished());
   return encode_checkpoint(setting.key, {{1, 2, 3, 4}, 5.5}, *render);

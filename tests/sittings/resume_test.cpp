@@ -34,7 +34,7 @@ TEST_P(Resume, GivesTheUnbrokenFilm) {
   const Setting setting(GetParam());
   const FilmValues whole = unbroken(setting);
   std::mt19937 random(1);
-  for (const int longest : {40, scaled(400, 4000)}) {
+  for (const int longest : {40, scaled(100, 400)}) {
     for (const int threads : {1, 3}) {
       const auto [film, sittings] = in_sittings(
           setting, threads, [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(longest)); });
@@ -65,7 +65,7 @@ TEST_P(Resume, GoesOnWithoutACheckpoint) {
   RayCounts rays;
   for (; !render->is_finished(); stops++) {
     state.stop = false;
-    StoppingKernel::stop_in_call(1 + static_cast<int>(random() % 300));
+    StoppingKernel::stop_in_call(1 + static_cast<int>(random() % 30));
     rays += render->run(state);
   }
   EXPECT_GT(stops, 0);
@@ -117,7 +117,7 @@ TEST(PictureSoFar, OfAnAdaptiveRender) {
   RenderState state;
   const StoppingKernel kernel(state.stop);
   const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
-  StoppingKernel::stop_in_call(4 * 12 + 1000);  // four calls for each tile's first round
+  StoppingKernel::stop_in_call(4 * 12 + 20);  // four calls for each tile's first round
   render->run(state);
   ASSERT_FALSE(render->is_finished());
   const Film film = render->take_film();

@@ -12,7 +12,7 @@ namespace penumbra::test {
 class StoppingKernel {
  public:
   explicit StoppingKernel(std::atomic<bool>& stop) : kernel_(*usable_kernels().back()) {
-    kernel_.render_tile = render_tile;
+    kernel_.render_pixels = render_pixels;
     stop_ = &stop;
     calls_left_ = -1;
   }
@@ -23,8 +23,8 @@ class StoppingKernel {
   static void stop_in_call(int number) { calls_left_ = number; }
 
  private:
-  static void render_tile(const Frame& frame, const FilmView& film, const TileSamples& tile, RayCounts& counts) {
-    usable_kernels().back()->render_tile(frame, film, tile, counts);
+  static void render_pixels(const Frame& frame, const FilmView& film, const PixelSamples& wanted, RayCounts& counts) {
+    usable_kernels().back()->render_pixels(frame, film, wanted, counts);
     if (calls_left_.fetch_sub(1) == 1) *stop_ = true;
   }
 

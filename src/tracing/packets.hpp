@@ -1,9 +1,10 @@
-// The samples of a tile of pixels, cut into packets. A packet is W samples of one pixel; where fewer are left, or fewer
-// were asked for, it is S samples each of W/S neighbouring pixels. With an Embree mesh in view, whose answers can
-// depend on who shares one of its packets, S is at least what Embree takes at once.
+// Samples of pixels, cut into packets. A packet is W samples of one pixel; where fewer are left, or fewer were asked
+// for, it is S samples each of W/S pixels. With an Embree mesh in view, whose answers can depend on who shares one of
+// its packets, S is at least what Embree takes at once.
 #pragma once
 
 #include <algorithm>
+#include <bit>
 
 #include "tracing/eye_rays.hpp"
 #include "tracing/film_packet.hpp"
@@ -11,10 +12,10 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-struct TileRenderer {
+struct PacketRenderer {
   const Frame& frame;
   const FilmView& film;
-  const TileSamples& tile;
+  const PixelSamples& wanted;
   RayCounts& counts;
   RayRecorder* recorder = nullptr;
   PatternChoice pattern = frame.pattern_choice();
@@ -37,61 +38,45 @@ struct TileRenderer {
 
   PENUMBRA_INLINE Mask samples_wanted(std::uint32_t first, int samples_per_pixel) const {
     const Ints index = (lane_numbers() & Ints(static_cast<std::uint32_t>(samples_per_pixel - 1))) + Ints(first);
-    return ~(index < Ints(tile.first)) & (index < Ints(tile.end));
+    return ~(index < Ints(wanted.first)) & (index < Ints(wanted.end));
   }
 
   // Whole packets first <= index < end of every pixel.
   void render_wide(std::uint32_t first, std::uint32_t end) const {
-    for (int y = tile.y0; y < tile.y1; y++) {
-      for (int x = tile.x0; x < tile.x1; x++) {
-        const Ints column(static_cast<std::uint32_t>(x));
-        const Ints row(static_cast<std::uint32_t>(y));
-        const PixelSampler pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame.options.seed);
-        PixelSums sums;
-        for (std::uint32_t index = first; index < end; index += lane_count) {
-          add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
-        }
-        add_to_film(frame, film, x, y, sums, 0, lane_count);
+    for (const PixelPlace& place : wanted.pixels) {
+      const Ints column(place.x), row(place.y);
+      const PixelSampler pixel(place.x, place.y, frame.options.seed);
+      PixelSums sums;
+      for (std::uint32_t index = first; index < end; index += lane_count) {
+        add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
       }
+      add_to_film(frame, film, {&place, 1}, sums, lane_count);
     }
   }
 
   // S samples from `first` on of every pixel; S is a power of two below W that divides `first`.
   void render_narrow(std::uint32_t first, int samples) const {
-    const int pixels = lane_count / samples;
-    const int block_width = pixels >= 8 ? 4 : pixels >= 2 ? 2 : 1;
-    const int block_height = pixels / block_width;
-    alignas(64) std::uint32_t columns[lane_count], rows[lane_count];
-    for (int y = tile.y0; y < tile.y1; y += block_height) {
-      for (int x = tile.x0; x < tile.x1; x += block_width) {
-        std::uint32_t inside = 0;
-        for (int lane = 0; lane < lane_count; lane++) {
-          const int px = x + lane / samples % block_width;
-          const int py = y + lane / samples / block_width;
-          columns[lane] = static_cast<std::uint32_t>(px);
-          rows[lane] = static_cast<std::uint32_t>(py);
-          if (px < tile.x1 && py < tile.y1) inside |= 1u << lane;
-        }
-        const Ints column = load(columns);
-        const Ints row = load(rows);
-        const PixelSampler pixel(column, row, frame.options.seed);
-        PixelSums sums;
-        add_packet(pixel, column, row, first, samples, mask_from_bits(inside) & samples_wanted(first, samples), sums);
-        for (int lane = 0; lane < lane_count; lane += samples) {
-          if (!(inside >> lane & 1)) continue;
-          add_to_film(frame, film, static_cast<int>(columns[lane]), static_cast<int>(rows[lane]), sums, lane, samples);
-        }
-      }
+    const std::size_t pixels_at_once = static_cast<std::size_t>(lane_count / samples);
+    const Ints pixel_of_lane = lane_numbers() >> std::countr_zero(static_cast<unsigned>(samples));
+    for (std::size_t next = 0; next < wanted.pixels.size(); next += pixels_at_once) {
+      const auto places = wanted.pixels.subspan(next, std::min(pixels_at_once, wanted.pixels.size() - next));
+      const Mask inside = pixel_of_lane < Ints(static_cast<std::uint32_t>(places.size()));
+      const Ints place = select(inside, pixel_of_lane, Ints(0u)) << 1;  // in words
+      const Ints column = gather(&places[0].x, place), row = gather(&places[0].y, place);
+      const PixelSampler pixel(column, row, frame.options.seed);
+      PixelSums sums;
+      add_packet(pixel, column, row, first, samples, inside & samples_wanted(first, samples), sums);
+      add_to_film(frame, film, places, sums, samples);
     }
   }
 
   void render() const {
     // With a mesh in view, each half of a packet belongs to one pixel.
     const std::uint32_t fewest = frame.world.meshes.empty() ? 1 : vector_lanes;
-    std::uint32_t index = tile.first;
-    while (index < tile.end) {
+    std::uint32_t index = wanted.first;
+    while (index < wanted.end) {
       const std::uint32_t first = index - index % fewest;
-      const std::uint32_t left = tile.end - first;
+      const std::uint32_t left = wanted.end - first;
       const std::uint32_t alignment = first % lane_count == 0 ? lane_count : first & -first;
       std::uint32_t samples = fewest;
       while (samples < left && samples < alignment) samples *= 2;
@@ -102,7 +87,7 @@ struct TileRenderer {
       } else {
         render_narrow(first, static_cast<int>(samples));
       }
-      index = std::min(end, tile.end);
+      index = std::min(end, wanted.end);
     }
   }
 };

@@ -36,9 +36,8 @@ Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest
   return {pixels, static_cast<std::uint32_t>(std::max(packets(), 1.0)) * samples_of_packet};
 }
 
-bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel,
-                     std::span<const PixelPlace> pixels, SampleRange range, RayCounts& counts,
-                     const RenderState& state) {
+bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel, std::span<const PixelPlace> pixels,
+                     SampleRange range, RayCounts& counts, const RenderState& state) {
   const Portion portion = portion_for(frame, std::bit_ceil(pixels.size()));
   for (std::uint32_t first = range.first; first < range.end;) {
     const std::uint32_t end = portion.end_after(first, range.end);

@@ -32,7 +32,7 @@ struct Portion {
 Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples = 1);
 
 // Adds the samples of a range to some pixels of a film, portion by portion; false if it was stopped before the end.
-bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel,
-                     std::span<const PixelPlace> pixels, SampleRange range, RayCounts& counts, const RenderState& state);
+bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel, std::span<const PixelPlace> pixels,
+                     SampleRange range, RayCounts& counts, const RenderState& state);
 
 }  // namespace penumbra

@@ -49,7 +49,9 @@ class TileRefinement {
   // `due`: in this turn, the pixel's samples are to be doubled yet. `at_end`: it has the most samples there are.
   enum class Mark : std::uint8_t { none, due, at_end };
 
-  std::size_t index_of(PixelPlace pixel) const { return index_of(static_cast<int>(pixel.x), static_cast<int>(pixel.y)); }
+  std::size_t index_of(PixelPlace pixel) const {
+    return index_of(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  }
   std::size_t index_of(int x, int y) const {
     const int column = x - tile_.x0 + noise_reach, row = y - tile_.y0 + noise_reach;
     return static_cast<std::size_t>(row) * noise_window_size + static_cast<std::size_t>(column);

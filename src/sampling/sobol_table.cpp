@@ -22,12 +22,12 @@ struct Polynomial {
   std::array<std::uint32_t, 5> initial;
 };
 constexpr std::array<Polynomial, joint_dimension_count - 1> polynomials{{
-    {1, 0, {1}},                   // pixel_y
-    {4, 4, {1, 3, 1, 3}},          // lens_radius
-    {5, 13, {1, 1, 5, 15, 21}},    // lens_angle
-    {2, 1, {1, 3}},                // first_light_radius
-    {3, 1, {1, 1, 3}},             // first_light_angle
-    {3, 2, {1, 1, 5}},             // shutter_time
+    {1, 0, {1}},                 // pixel_y
+    {4, 4, {1, 3, 1, 3}},        // lens_radius
+    {5, 13, {1, 1, 5, 15, 21}},  // lens_angle
+    {2, 1, {1, 3}},              // first_light_radius
+    {3, 1, {1, 1, 3}},           // first_light_angle
+    {3, 2, {1, 1, 5}},           // shutter_time
 }};
 
 using Directions = std::array<std::uint32_t, 32>;

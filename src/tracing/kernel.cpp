@@ -181,6 +181,6 @@ constexpr const char* isa_name = vector_lanes == 16 ? "avx512" : vector_lanes ==
 }  // namespace
 
 const Kernel kernel = {isa_name,        vector_lanes,   render_pixels, recording::record_sample,
-                       probe_intersect, probe_occluded, evaluate,    sample_points};
+                       probe_intersect, probe_occluded, evaluate,      sample_points};
 
 }  // namespace penumbra::PENUMBRA_KERNEL

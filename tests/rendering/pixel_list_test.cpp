@@ -13,7 +13,8 @@ namespace penumbra::test {
 namespace {
 
 TEST(PixelList, HasEachWantedPixelOnce) {
-  for (const Crop& tile : {Crop{0, 0, 8, 8}, Crop{16, 32, 32, 48}, Crop{3, 5, 16, 6}, Crop{8, 0, 9, 8}, Crop{5, 1, 10, 8}}) {
+  for (const Crop& tile :
+       {Crop{0, 0, 8, 8}, Crop{16, 32, 32, 48}, Crop{3, 5, 16, 6}, Crop{8, 0, 9, 8}, Crop{5, 1, 10, 8}}) {
     for (const int step : {1, 3}) {
       const auto wanted = [step](int x, int y) { return (x + 2 * y) % step == 0; };
       std::set<std::pair<int, int>> expected, found;

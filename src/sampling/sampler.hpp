@@ -17,10 +17,10 @@ namespace penumbra::PENUMBRA_KERNEL {
 // What stays the same for all samples of the pixels of a packet.
 struct PixelSampler {
   Ints column, row;
-  Ints key;                      // one hash for each pixel, the seed mixed in
-  std::uint32_t scalar_key = 0;  // the same, where all lanes belong to one pixel
-  bool one_pixel = false;        // whether they do
-  Ints joint_key[joint_dimension_count];
+  Ints key;                               // one hash for each pixel, the seed mixed in
+  std::uint32_t scalar_key = 0;           // the same, where all lanes belong to one pixel
+  bool one_pixel = false;                 // whether they do
+  Ints joint_key[joint_dimension_count];  // then, for several packets, what sobol_joint() shifts the points by
 
   // `Word` is std::uint32_t where all lanes belong to one pixel, else Ints.
   template <typename Word>
@@ -31,8 +31,8 @@ struct PixelSampler {
     if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
       scalar_key = pixel_key;
       one_pixel = true;
+      for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = Ints(hash(pixel_key, d));
     }
-    for (std::uint32_t d = 0; d < joint_dimension_count; d++) joint_key[d] = Ints(hash(pixel_key, Word(d)));
   }
 };
 
@@ -135,7 +135,8 @@ class Sampler {
   PENUMBRA_INLINE Floats sobol_joint(JointDimension dimension) const {
     const SobolTable& table = choice_->tables->sobol;
     const std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
-    const Ints shift = first_index_ < largest_sobol_table ? pixel_->joint_key[dimension] : hash(key_, Ints(dimension));
+    const bool known = pixel_->one_pixel && first_index_ < largest_sobol_table;
+    const Ints shift = known ? pixel_->joint_key[dimension] : hash(key_, Ints(dimension));
     const Ints point = consecutive_ ? load(points + (first_index_ & (largest_sobol_table - 1)))
                                     : gather(points, index_ & Ints(largest_sobol_table - 1));
     return to_fraction(point ^ shift);

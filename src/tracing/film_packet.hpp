@@ -45,6 +45,12 @@ struct PacketResult {
   }
 };
 
+// For each four lanes side by side, in each of them, their sum.
+PENUMBRA_INLINE Ints sums_of_fours(Ints a) {
+  a += pick_bytes(a, sixteen_bytes(0x07060504u, 0x03020100u, 0x0f0e0d0cu, 0x0b0a0908u));
+  return a + pick_bytes(a, sixteen_bytes(0x0b0a0908u, 0x0f0e0d0cu, 0x03020100u, 0x07060504u));
+}
+
 // The colours of packets in whole quanta, which takes a third of the work of doubles.
 struct ColorQuanta {
   static constexpr float largest = 1 << quantum_bits;  // what a colour may have
@@ -67,23 +73,32 @@ struct ColorQuanta {
     return true;
   }
 
-  // The sums of `lanes` lanes each, from lane 0 on: `visit(group, sum)` for that many groups of them.
-  template <class Visit>
-  PENUMBRA_INLINE void for_groups(int channel, std::size_t groups, int lanes, const Visit& visit) const {
-    alignas(64) std::uint32_t quanta[lane_count];
-    store(quanta, sums[channel]);
-    const std::uint32_t* lane = quanta;
-    for (std::size_t group = 0; group < groups; group++) {
-      std::int64_t sum = spilled[channel];
-      for (int i = 0; i < lanes; i++) sum += static_cast<std::int32_t>(*lane++);
-      visit(group, sum);
+  // The sums of all packets for groups of lanes that lie side by side. Of a single packet, four lanes at once are added
+  // first: their sum still fits 32 bits.
+  template <int at_once>
+  struct Groups {
+    alignas(64) std::uint32_t sums[3][lane_count];
+    std::int64_t spilled[3];
+
+    PENUMBRA_INLINE explicit Groups(const ColorQuanta& quanta) {
+      for (int c = 0; c < 3; c++) {
+        store(sums[c], at_once == 4 ? sums_of_fours(quanta.sums[c]) : quanta.sums[c]);
+        spilled[c] = quanta.spilled[c];
+      }
     }
-  }
+
+    PENUMBRA_INLINE std::int64_t sum(int channel, int first, int lanes) const {
+      std::int64_t sum = spilled[channel];
+      for (int i = first; i < first + lanes; i += at_once) sum += static_cast<std::int32_t>(sums[channel][i]);
+      return sum;
+    }
+  };
 
  private:
   PENUMBRA_INLINE void spill() {
+    const Groups<1> all(*this);
     for (int c = 0; c < 3; c++) {
-      for_groups(c, 1, lane_count, [&](std::size_t, std::int64_t sum) { spilled[c] = sum; });
+      spilled[c] = all.sum(c, 0, lane_count);
       sums[c] = Ints(0u);
     }
     packets = 0;
@@ -138,10 +153,19 @@ PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
 // Adds the sums to the film: `lanes` lanes belong to each of the pixels.
 PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, std::span<const PixelPlace> pixels,
                                  const PixelSums& sums, int lanes) {
-  for (std::size_t c = 0; c < 3; c++) {
-    sums.color.for_groups(static_cast<int>(c), pixels.size(), lanes, [&](std::size_t i, std::int64_t sum) {
-      film.color[3 * film.index_of(pixels[i]) + c] += static_cast<double>(sum) * frame.color_quantum;
-    });
+  const auto add_colors = [&](const auto& groups) {
+    for (std::size_t i = 0; i < pixels.size(); i++) {
+      double* const color = film.color + 3 * film.index_of(pixels[i]);
+      for (int c = 0; c < 3; c++) {
+        const std::int64_t sum = groups.sum(c, static_cast<int>(i) * lanes, lanes);
+        color[c] += static_cast<double>(sum) * frame.color_quantum;
+      }
+    }
+  };
+  if (lanes < lane_count && lanes % 4 == 0) {
+    add_colors(ColorQuanta::Groups<4>(sums.color));
+  } else {
+    add_colors(ColorQuanta::Groups<1>(sums.color));
   }
   if (!sums.has_values) return;
   for (std::size_t i = 0; i < pixels.size(); i++) {

@@ -33,7 +33,8 @@ bool TileRefinement::double_due(const Place& place, RayCounts& counts, const Ren
     const int level = std::countr_zero(levels);
     PixelList due;
     for (const PixelPlace& pixel : all_due.all()) {
-      if (window_[index_of(pixel)].level == level) due.add(pixel);
+      const std::size_t i = index_of(pixel);
+      if (marks_[i] == Mark::due && window_[i].level == level) due.add(pixel);
     }
     const Portion portion = portion_for(place.frame, std::bit_ceil(due.all().size()), 1u << level);
     for (auto left = due.all(); !left.empty();) {

@@ -6,10 +6,13 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "base/test_scale.hpp"
 #include "rendering/noise_estimate.hpp"
+#include "rendering/pixel_list.hpp"
 #include "rendering/render_text.hpp"
+#include "rendering/saved_sums.hpp"
 
 namespace penumbra::test {
 namespace {
@@ -117,6 +120,65 @@ AllValues values_of(const Film& film) {
 }
 
 const Layers all_layers{true, true, true, true, true};
+
+// The same picture of one tile, by pixels that come one by one: four blocks of the first round in each; then, again and
+// again, as many samples more for all that are worth it, in two parts where there are 32 or more.
+Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
+  const Frame frame = frame_from(scene);
+  const Kernel& kernel = *usable_kernels().back();
+  const AdaptiveRules rules(goal, frame);
+  Film film({0, 0, noise_tile_size, noise_tile_size}, {}, SampleCounts::per_pixel);
+  const FilmView view = film.view();
+  RayCounts counts;
+  const auto added = [&](PixelPlace pixel, std::uint32_t first, std::uint32_t end) {
+    const ColorSum before = color_sum(view, pixel);
+    kernel.render_pixels(frame, view, {{&pixel, 1}, first, end}, counts);
+    return color_sum(view, pixel) - before;
+  };
+  NoiseWindow window{};
+  const auto index_of = [](PixelPlace p) { return (p.y + noise_reach) * noise_window_size + p.x + noise_reach; };
+  const PixelList all = pixels_of(film.crop());
+  for (const PixelPlace& pixel : all.all()) {
+    const std::uint32_t n = (1u << rules.first_level) / 4;
+    std::array<ColorSum, 4> blocks;
+    for (std::uint32_t i = 0; i < 4; i++) blocks[i] = added(pixel, i * n, (i + 1) * n);
+    window[index_of(pixel)] = first_noise(blocks, rules.first_level);
+  }
+  for (bool any = true; any;) {
+    any = false;
+    const NoiseWindow before = window;
+    const WindowRates rates = observed_rates(before, rules.rates);
+    for (const PixelPlace& pixel : all.all()) {
+      const std::size_t i = index_of(pixel);
+      const int level = before[i].level;
+      if (level == rules.most_level || !rules.is_worth_more(squared_error(before, i, rates[i]), level)) continue;
+      const ColorSum sum = color_sum(view, pixel);
+      const std::uint32_t n = before[i].samples();
+      const ColorSum a = added(pixel, n, n + n / 2), b = added(pixel, n + n / 2, 2 * n);
+      const SquaredDifference parts = squared_difference(a, b, n / 2.0);
+      window[i] = doubled_noise(before[i], sum, a + b, n < 32 ? nullptr : &parts);
+      any = true;
+    }
+  }
+  for (const PixelPlace& pixel : all.all()) film.set_samples({&pixel, 1}, window[index_of(pixel)].samples());
+  return film;
+}
+
+TEST(Adaptive, IsWhatPixelsOneByOneGive) {
+  for (const std::string& text : {shadow_text(16, 16), blur_text(16, 16)}) {
+    for (const float error : {0.02f, 0.005f}) {
+      const NoiseGoal goal{error, 1024};
+      Scene scene = scene_from(text);
+      scene.rays_per_pixel = static_cast<int>(goal.most_rays);
+      const Film expected = pixel_by_pixel(scene, goal);
+      const Film film = render_noise(scene, goal).film;
+      const ZeroedVector<float> samples = film.pixel_samples();
+      EXPECT_GE(std::set<float>(samples.begin(), samples.end()).size(), 3u);
+      EXPECT_TRUE(samples == expected.pixel_samples());
+      EXPECT_TRUE(film.color() == expected.color());
+    }
+  }
+}
 
 TEST(Adaptive, ThreadsAndInstructionSetsDoNotShow) {
   const NoiseGoal goal{scaled(1, 2) * 0.02f, 4096};

@@ -55,9 +55,9 @@ struct VarianceRate {
 };
 
 // Sums over the pixels at most `noise_reach` away.
-std::array<float, noise_window_size * noise_window_size> sums_around(const WindowRates& values) {
+WindowNumbers sums_around(const WindowNumbers& values) {
   constexpr int first = noise_reach * noise_window_size, end = noise_window_size * noise_window_size - first;
-  WindowRates columns{}, sums{};
+  WindowNumbers columns{}, sums{};
   for (int dy = -noise_reach; dy <= noise_reach; dy++) {
     for (int i = first; i < end; i++) columns[i] += values[i + dy * noise_window_size];
   }
@@ -121,8 +121,8 @@ PixelNoise doubled_noise(const PixelNoise& old, const ColorSum& before, const Co
   return noise;
 }
 
-WindowRates observed_rates(const NoiseWindow& window, const NoiseRates& rates) {
-  WindowRates halves, quarters;
+WindowNumbers observed_rates(const NoiseWindow& window, const NoiseRates& rates) {
+  WindowNumbers halves, quarters;
   for (std::size_t i = 0; i < window.size(); i++) {
     const auto samples = window[i].halves_known > 0 ? static_cast<float>(window[i].samples()) : 0.0f;
     halves[i] = samples * window[i].halves.clamped;
@@ -130,7 +130,7 @@ WindowRates observed_rates(const NoiseWindow& window, const NoiseRates& rates) {
   }
   halves = sums_around(halves);
   quarters = sums_around(quarters);
-  WindowRates result;
+  WindowNumbers result;
   for (std::size_t i = 0; i < window.size(); i++) {
     const float observed = halves[i] > 0 ? quarters[i] / halves[i] : rates.expected;
     const float rate = (observed + weight_of_expected_rate * rates.expected) / (1 + weight_of_expected_rate);

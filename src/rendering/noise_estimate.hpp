@@ -78,9 +78,11 @@ struct NoiseRates {
 inline constexpr NoiseRates rates_of_independent_samples{2, 2, 2};
 inline constexpr NoiseRates rates_of_nets{2, 2.3f, 3.2f};
 
+// A number for each of them.
+using WindowNumbers = std::array<float, noise_window_size * noise_window_size>;
+
 // The rates that the pixels of the tile show, each with those around it; of the others there is nothing to tell.
-using WindowRates = std::array<float, noise_window_size * noise_window_size>;
-WindowRates observed_rates(const NoiseWindow& window, const NoiseRates& rates);
+WindowNumbers observed_rates(const NoiseWindow& window, const NoiseRates& rates);
 
 // What follows from them for the pixel at `place` of the window, one of the tile.
 float squared_error(const NoiseWindow& window, std::size_t place, float rate);  // clamped; the mean over r, g, b

@@ -17,7 +17,6 @@ class PixelList {
   static constexpr std::size_t most_pixels = std::size_t{noise_tile_size} * noise_tile_size;
 
   void add(PixelPlace pixel) { pixels_[size_++] = pixel; }
-  bool empty() const { return size_ == 0; }
   std::span<const PixelPlace> all() const { return {pixels_.data(), size_}; }
 
  private:

@@ -28,7 +28,7 @@ struct Portion {
 };
 
 // The largest portion of so many pixels, a power of two: all of them and many samples, else halves of them, and so on
-// down to single pixels. It has `fewest_samples` or more.
+// down to single pixels. Of several pixels it has `fewest_samples` or more.
 Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples = 1);
 
 // Adds the samples of a range to some pixels of a film, portion by portion; false if it was stopped before the end.

@@ -79,7 +79,7 @@ bool TileRefinement::double_samples(std::span<const PixelPlace> pixels, int leve
 
 // False if no pixel is worth more samples.
 bool TileRefinement::mark_due(const AdaptiveRules& rules) {
-  const WindowRates observed = observed_rates(window_, rules.rates);
+  const WindowNumbers observed = observed_rates(window_, rules.rates);
   bool any = false;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {
@@ -95,7 +95,7 @@ bool TileRefinement::mark_due(const AdaptiveRules& rules) {
 }
 
 int TileRefinement::finish(const Place& place, const Crop& crop) const {
-  const WindowRates observed = observed_rates(window_, place.rules.rates);
+  const WindowNumbers observed = observed_rates(window_, place.rules.rates);
   int unfinished = 0;
   for (int y = tile_.y0; y < tile_.y1; y++) {
     for (int x = tile_.x0; x < tile_.x1; x++) {

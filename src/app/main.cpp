@@ -3,8 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <new>
 #include <string>
 #include <string_view>
@@ -23,20 +26,18 @@
 
 namespace {
 
-CLI::App* add_check(CLI::App& app, penumbra::CheckOptions& options) {
+void add_check(CLI::App& app, penumbra::CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Read a scene and say what is in it, or what is wrong with it");
   check->add_option("SCENE", options.scene, "The scene file (.cli)")->required();
   check->add_flag("--course", options.course, "Place spheres and boxes as the course does [off]");
   check->add_flag("--lenient", options.lenient, "Skip commands that only other programs know, with a warning [off]");
-  return check;
 }
 
 // Its arguments and its help are the business of the window's own program.
-const CLI::App* add_view(CLI::App& app) {
+void add_view(CLI::App& app) {
   CLI::App* view = app.add_subcommand("view", "Open a window: see the picture grow, change the scene, ask a pixel why");
   view->set_help_flag();
   view->prefix_command();
-  return view;
 }
 
 // The sentence about a word where a command should be; empty if that is not what is wrong.
@@ -60,24 +61,40 @@ std::string about_unknown_command(const CLI::App& app) {
 constexpr int exit_usage = 64;
 constexpr int exit_software = 70;
 
+// A word of the command line with options of its own, and what is done with them.
+struct Command {
+  std::string_view name;
+  std::function<void(CLI::App&)> add;
+  std::function<int()> run;
+};
+
 int run(int argc, char** argv) {
   CLI::App app("Penumbra, a distribution ray tracer for .cli scenes", "penumbra");
   app.set_version_flag("--version", std::string("penumbra ") + penumbra::version, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
-  penumbra::RenderOptions render_options;
-  penumbra::CheckOptions check_options;
-  penumbra::CompareOptions compare_options;
-  penumbra::SamplesOptions samples_options;
-  penumbra::MergeOptions merge_options;
-  penumbra::FarmOptions farm_options;
-  const CLI::App* render = penumbra::add_render(app, render_options);
-  const CLI::App* check = add_check(app, check_options);
-  const CLI::App* compare = penumbra::add_compare(app, compare_options);
-  const CLI::App* samples = penumbra::add_samples(app, samples_options);
-  const CLI::App* merge = penumbra::add_merge(app, merge_options);
-  const CLI::App* farm = penumbra::add_farm(app, farm_options);
-  const CLI::App* view = add_view(app);
+  penumbra::RenderOptions render;
+  penumbra::CheckOptions check;
+  penumbra::CompareOptions compare;
+  penumbra::SamplesOptions samples;
+  penumbra::MergeOptions merge;
+  penumbra::FarmOptions farm;
+  const Command commands[] = {
+      {"render", [&](CLI::App& to) { add_render(to, render); }, [&] { return render_command(render); }},
+      {"check", [&](CLI::App& to) { add_check(to, check); }, [&] { return check_command(check); }},
+      {"compare", [&](CLI::App& to) { add_compare(to, compare); }, [&] { return compare_command(compare); }},
+      {"samples", [&](CLI::App& to) { add_samples(to, samples); }, [&] { return samples_command(samples); }},
+      {"merge", [&](CLI::App& to) { add_merge(to, merge); }, [&] { return merge_command(merge); }},
+      {"farm", [&](CLI::App& to) { add_farm(to, farm); }, [&] { return farm_command(farm); }},
+      {"view", add_view, [&] { return penumbra::view_command(app.get_subcommand("view")->remaining()); }},
+  };
+  // To describe the options of all commands takes a millisecond, which only help and mistakes need.
+  const std::string_view first_word = argc > 1 ? argv[1] : "";
+  const bool one = std::any_of(std::begin(commands), std::end(commands),
+                               [&](const Command& command) { return command.name == first_word; });
+  for (const Command& command : commands) {
+    if (!one || command.name == first_word) command.add(app);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -87,14 +104,10 @@ int run(int argc, char** argv) {
     }
     return app.exit(e) == 0 ? 0 : exit_usage;
   }
-  if (render->parsed()) return penumbra::render_command(render_options);
-  if (check->parsed()) return penumbra::check_command(check_options);
-  if (compare->parsed()) return penumbra::compare_command(compare_options);
-  if (samples->parsed()) return penumbra::samples_command(samples_options);
-  if (merge->parsed()) return penumbra::merge_command(merge_options);
-  if (farm->parsed()) return penumbra::farm_command(farm_options);
-  if (view->parsed()) return penumbra::view_command(view->remaining());
-  return exit_usage;
+  const std::string& chosen = app.get_subcommands().front()->get_name();
+  return std::find_if(std::begin(commands), std::end(commands),
+                      [&](const Command& command) { return command.name == chosen; })
+      ->run();
 }
 
 }  // namespace

@@ -77,6 +77,9 @@ struct Ints {
   PENUMBRA_INLINE Ints(std::uint32_t value) : lo(value - UintVector{}), hi(lo) {}  // NOLINT: likewise
 };
 
+// One number for each vector of a packet.
+PENUMBRA_INLINE Ints halves(std::uint32_t low, std::uint32_t high) { return {Ints(low).lo, Ints(high).lo}; }
+
 // W truth values.
 struct Mask {
   one::MaskVector lo, hi;
@@ -171,6 +174,13 @@ PENUMBRA_INLINE Ints load(const std::uint32_t* p) {
   Ints a;
   __builtin_memcpy(&a.lo, p, sizeof a.lo);
   __builtin_memcpy(&a.hi, p + vector_lanes, sizeof a.hi);
+  return a;
+}
+// The lanes of one vector, for both vectors of a packet.
+PENUMBRA_INLINE Ints load_twice(const std::uint32_t* p) {
+  Ints a;
+  __builtin_memcpy(&a.lo, p, sizeof a.lo);
+  a.hi = a.lo;
   return a;
 }
 PENUMBRA_INLINE void store(float* p, Floats a) {

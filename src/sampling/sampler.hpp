@@ -51,7 +51,7 @@ class Sampler {
         index_(sample_),
         count_(choice.count),
         first_index_(first),
-        consecutive_(samples_per_pixel == lane_count) {
+        samples_per_pixel_(samples_per_pixel) {
     if (choice.pattern == Pattern::sobol) {
       const std::uint32_t block = first / largest_sobol_table;
       if (block > 0) {
@@ -137,9 +137,15 @@ class Sampler {
     const std::uint32_t* points = table.values.data() + std::size_t{dimension} * table.size;
     const bool known = pixel_->one_pixel && first_index_ < largest_sobol_table;
     const Ints shift = known ? pixel_->joint_key[dimension] : hash(key_, Ints(dimension));
-    const Ints point = consecutive_ ? load(points + (first_index_ & (largest_sobol_table - 1)))
-                                    : gather(points, index_ & Ints(largest_sobol_table - 1));
-    return to_fraction(point ^ shift);
+    return to_fraction(points_of_lanes(points) ^ shift);
+  }
+
+  // Of a table's points, those of the lanes' samples.
+  PENUMBRA_INLINE Ints points_of_lanes(const std::uint32_t* points) const {
+    const std::uint32_t* const first = points + (first_index_ & (largest_sobol_table - 1));
+    if (samples_per_pixel_ == lane_count) return load(first);
+    if (samples_per_pixel_ == vector_lanes) return load_twice(first);
+    return gather(points, index_ & Ints(largest_sobol_table - 1));
   }
 
   PENUMBRA_INLINE Pair joint_pair(JointDimension first) const {
@@ -230,7 +236,7 @@ class Sampler {
   std::uint32_t count_;        // of the points
   std::uint32_t first_index_;  // of lane 0
   std::uint32_t branch_ = 0;   // of several rays of one hit: a name that `regular` can tell apart
-  bool consecutive_;           // lane k has index first_index_ + k
+  int samples_per_pixel_;      // lane k has index first_index_ + k % samples_per_pixel_
 };
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -61,8 +61,11 @@ struct PacketRenderer {
     for (std::size_t next = 0; next < wanted.pixels.size(); next += pixels_at_once) {
       const auto places = wanted.pixels.subspan(next, std::min(pixels_at_once, wanted.pixels.size() - next));
       const Mask inside = pixel_of_lane < Ints(static_cast<std::uint32_t>(places.size()));
-      const Ints place = select(inside, pixel_of_lane, Ints(0u)) << 1;  // in words
-      const Ints column = gather(&places[0].x, place), row = gather(&places[0].y, place);
+      const auto of_pixels = [&](std::uint32_t PixelPlace::*coordinate) {
+        if (samples == vector_lanes) return halves(places.front().*coordinate, places.back().*coordinate);
+        return gather(&(places.front().*coordinate), select(inside, pixel_of_lane, Ints(0u)) << 1);  // in words
+      };
+      const Ints column = of_pixels(&PixelPlace::x), row = of_pixels(&PixelPlace::y);
       const PixelSampler pixel(column, row, frame.options.seed);
       PixelSums sums;
       add_packet(pixel, column, row, first, samples, inside & samples_wanted(first, samples), sums);

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
-and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, a
-large picture against a small one, two threads against one, meshes against Embree alone, and the speed of reading. What
-is compared is run in turn in the same run; a table shows medians and the median of the ratios of each turn."""
+and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, the
+instruction sets against each other, a large picture against a small one, two threads against one, meshes against Embree
+alone, and the speed of reading. What is compared is run in turn in the same run; a table shows medians and the median
+of the ratios of each turn."""
 
 import argparse
 import contextlib
@@ -17,6 +18,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PROTOTYPE_SCENES = ["a", "b", "aG", "bG"]
 RUNS_OF_A_TURN = 10
+SCENES = ["demo"] + [f"s0{n}b" for n in range(1, 10)]
 
 
 @contextlib.contextmanager
@@ -109,11 +111,10 @@ def compare_with_prototype(penumbra, peers, turns):
 
 
 def rays_per_second(penumbra, turns):
-    scenes = ["demo"] + [f"s0{n}b" for n in range(1, 10)]
     print("The project's own scenes, 1 thread, 16 rays per pixel:\n")
     print("| scene | Mrays | render s | Mrays/s | parse + build + write ms | peak MB |")
     print("| --- | --: | --: | --: | --: | --: |")
-    for scene in scenes:
+    for scene in SCENES:
         path = os.path.join(ROOT, "scenes", scene + ".cli")
         runs = [render(penumbra, path, "--rays", "16") for _ in range(turns)]
         seconds = statistics.median(r["render_seconds"] for r in runs)
@@ -121,6 +122,23 @@ def rays_per_second(penumbra, turns):
         other = statistics.median(r["parse_seconds"] + r["build_seconds"] + r["write_seconds"] for r in runs)
         print(f"| {scene} | {rays * 1e-6:.1f} | {seconds:.3f} | {rays / seconds * 1e-6:.1f} | {other * 1e3:.1f} "
               f"| {runs[0]['peak_memory_bytes'] >> 20} |")
+    print()
+
+
+def compare_instruction_sets(penumbra, turns):
+    if not has_avx512():
+        print("instruction sets: skipped, this machine has no AVX-512\n")
+        return
+    print("Rays per second against those of AVX-512, 1 thread, 16 rays per pixel:\n")
+    print("| scene | AVX2 | SSE4.2 |\n| --- | --: | --: |", flush=True)
+    for scene in SCENES:
+        path = os.path.join(ROOT, "scenes", scene + ".cli")
+        speeds = {"avx2": [], "sse42": []}
+        for _ in range(turns):
+            widest = render(penumbra, path, "--rays", "16", "--isa", "avx512")["render_seconds"]
+            for isa, of_turns in speeds.items():
+                of_turns.append(widest / render(penumbra, path, "--rays", "16", "--isa", isa)["render_seconds"])
+        print(f"| {scene} | " + " | ".join(f"{statistics.median(s):.2f}" for s in speeds.values()) + " |", flush=True)
     print()
 
 
@@ -280,6 +298,7 @@ def main():
         compare_with_prototype(arguments.penumbra, peers, arguments.turns)
         compare_with_revision(arguments.penumbra, before, arguments.before, min(arguments.turns, 3))
         rays_per_second(arguments.penumbra, min(arguments.turns, 3))
+        compare_instruction_sets(arguments.penumbra, min(arguments.turns, 3))
         compare_sizes(arguments.penumbra, arguments.turns)
         if arguments.mesh_replay and arguments.bumpy_sphere:
             compare_with_embree(arguments.mesh_replay, arguments.bumpy_sphere, 3)

@@ -5,7 +5,7 @@
 //   k:SHORT           the k-th write writes half of what it should
 //   k:FULL            the same, and all writes after it fail with ENOSPC
 //
-// Only regular files count. The name of the call that failed goes into the file PENUMBRA_FAIL_LOG.
+// Only regular files and folders count. The name of the call that failed goes into the file PENUMBRA_FAIL_LOG.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -42,9 +42,10 @@ const Plan& plan() {
   return only;
 }
 
-bool counts(int fd) {
+bool counts(int fd, bool folders) {
   struct stat status {};
-  return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+  if (::fstat(fd, &status) != 0) return false;
+  return S_ISREG(status.st_mode) || (folders && S_ISDIR(status.st_mode));
 }
 
 void note(const char* name) {
@@ -76,7 +77,7 @@ extern "C" {
 
 ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* const real = next<ssize_t(int, const void*, size_t)>("write");
-  if (!counts(fd)) return real(fd, bytes, size);
+  if (!counts(fd, false)) return real(fd, bytes, size);
   if (is_full) {
     errno = ENOSPC;
     return -1;
@@ -92,7 +93,7 @@ ssize_t write(int fd, const void* bytes, size_t size) {
 int fsync(int fd) {
   static auto* const real = next<int(int)>("fsync");
   if (plan().is_of_writes()) return real(fd);
-  return counts(fd) && fails("fsync") ? -1 : real(fd);
+  return counts(fd, true) && fails(counts(fd, false) ? "fsync" : "fsync of a folder") ? -1 : real(fd);
 }
 
 int rename(const char* from, const char* to) {

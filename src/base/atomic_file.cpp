@@ -210,6 +210,10 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
     fail(EX_CANTCREAT, "replace", path, error);
   }
   temporary.renamed = true;
+
+  // The new file is complete and in its place: that the folder could not be synced as well is not a failed write.
+  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.get() >= 0) sync(directory.get());
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {

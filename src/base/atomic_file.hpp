@@ -1,8 +1,6 @@
 // Whole files in and out. A file is written beside its place under a temporary name, forced to the disk and then
 // renamed, so that whoever looks sees the old file or the new one and never a half. A run that fails or is killed
-// leaves the old file, or none; what a killed run leaves behind is removed by the next write to the same target. The
-// folder is not forced to the disk, which takes as long again: a power cut in the seconds after a write may bring the
-// old file back, whole.
+// leaves the old file, or none; what a killed run leaves behind is removed by the next write to the same target.
 #pragma once
 
 #include <cstddef>

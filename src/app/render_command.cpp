@@ -263,6 +263,8 @@ class RenderRun {
     const double rays_per_pixel = static_cast<double>(film.total_samples()) / pixels;
     const auto write_one = [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
       write_file_atomically(path, bytes);
+      // Its checkpoint will be removed, and that must not outlive a power cut which the picture does not.
+      if (!options_.sitting.checkpoint.empty()) force_folder_of(path);
       if (!options_.quiet) tell(path, job.plan, rays_per_pixel);
     };
     Development development = job.development;

@@ -150,6 +150,7 @@ void Sitting::save(std::span<const std::byte> bytes) {
   } else {
     write_file_atomically(options_.checkpoint, bytes);
   }
+  force_folder_of(options_.checkpoint);
   keeps_previous_ = true;
 }
 

@@ -210,10 +210,6 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
     fail(EX_CANTCREAT, "replace", path, error);
   }
   temporary.renamed = true;
-
-  // The new file is complete and in its place: that the folder could not be synced as well is not a failed write.
-  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.get() >= 0) sync(directory.get());
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
@@ -234,6 +230,12 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
 
 void write_file_keeping_previous(const fs::path& path, std::span<const std::byte> bytes) {
   write_file(path, bytes, OldFile::stays_as_previous);
+}
+
+void force_folder_of(const fs::path& path) {
+  const fs::path folder = folder_of(follow_links(path));
+  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.get() >= 0) sync(directory.get());
 }
 
 fs::path previous_of(const fs::path& path) { return follow_links(path) += ".previous"; }

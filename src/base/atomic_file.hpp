@@ -1,6 +1,7 @@
 // Whole files in and out. A file is written beside its place under a temporary name, forced to the disk and then
 // renamed, so that whoever looks sees the old file or the new one and never a half. A run that fails or is killed
-// leaves the old file, or none; what a killed run leaves behind is removed by the next write to the same target.
+// leaves the old file, or none; what a killed run leaves behind is removed by the next write to the same target. In the
+// seconds after a write, a power cut may bring the old file back, whole, unless the folder is forced to the disk too.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +29,10 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 // The same, and the file that is replaced stays, under the name of previous_of(path). There is always a whole file
 // under one of the two names, if there was one before.
 void write_file_keeping_previous(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+// Forces the folder of such a file to the disk, which takes as long as writing a small file. The file is complete and
+// in its place already: where this cannot be done, nothing is said.
+void force_folder_of(const std::filesystem::path& path);
 
 // `path`, or where that is a link what it leads to, with `.previous` after it.
 std::filesystem::path previous_of(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 #include "base/atomic_file.hpp"
 #include "base/shared_library.hpp"
 #include "image/exr_module.hpp"
+#include "image/limits.hpp"
 
 namespace penumbra {
 namespace {
@@ -26,9 +27,29 @@ const ExrModule& exr_module() {
   return *module;
 }
 
+void require_agreement(const ImageFile& file) {
+  require_image_size(file.image.width, file.image.height, file.image.rgb.size(), 3);
+  for (const Channel& layer : file.layers) {
+    require_image_size(file.image.width, file.image.height, layer.values.size(), 1);
+  }
+  require_metadata_keys(file.metadata);
+  const bool fits = file.window.width() == file.image.width && file.window.height() == file.image.height &&
+                    file.full_width > 0 && file.full_height > 0;
+  if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture is not of the picture's size");
+}
+
+void require_success(const ExrFailure& failure) {
+  if (failure.exit_code != 0) throw FileError(failure.exit_code, failure.sentence);
+}
+
 }  // namespace
 
-std::vector<std::byte> encode_exr(const ImageFile& file) { return exr_module().encode(file); }
+std::vector<std::byte> encode_exr(const ImageFile& file) {
+  require_agreement(file);
+  std::vector<std::byte> bytes;
+  require_success(exr_module().encode(file, bytes));
+  return bytes;
+}
 
 bool is_exr(std::span<const std::byte> bytes) {
   constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
@@ -36,7 +57,9 @@ bool is_exr(std::span<const std::byte> bytes) {
 }
 
 ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name) {
-  return exr_module().decode(bytes, name);
+  ImageFile file;
+  require_success(exr_module().decode(bytes, name, file));
+  return file;
 }
 
 }  // namespace penumbra

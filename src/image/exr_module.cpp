@@ -1,4 +1,4 @@
-// OpenEXR on the library of that name: see exr.hpp. Its exceptions do not leave this file.
+// OpenEXR on the library of that name: see exr.hpp. No exception leaves this file.
 #include "image/exr_module.hpp"
 
 #include <ImathBox.h>
@@ -17,7 +17,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "base/atomic_file.hpp"
 #include "image/limits.hpp"
 
 namespace penumbra {
@@ -203,19 +202,7 @@ ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
   return file;
 }
 
-void require_agreement(const ImageFile& file) {
-  require_image_size(file.image.width, file.image.height, file.image.rgb.size(), 3);
-  for (const Channel& layer : file.layers) {
-    require_image_size(file.image.width, file.image.height, layer.values.size(), 1);
-  }
-  require_metadata_keys(file.metadata);
-  const bool fits = file.window.width() == file.image.width && file.window.height() == file.image.height &&
-                    file.full_width > 0 && file.full_height > 0;
-  if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture is not of the picture's size");
-}
-
-std::vector<std::byte> encode(const ImageFile& file) {
-  require_agreement(file);
+ExrFailure encode(const ImageFile& file, std::vector<std::byte>& bytes) {
   try {
     MemoryOutput output;
     {
@@ -233,20 +220,22 @@ std::vector<std::byte> encode(const ImageFile& file) {
       exr.writePixels(file.image.height);
       // The destructor writes the table of offsets.
     }
-    return std::move(output.bytes);
+    bytes = std::move(output.bytes);
+    return {};
   } catch (const std::exception& error) {
-    throw FileError(EX_SOFTWARE, fmt::format("cannot make an EXR: {}", error.what()));
+    return {EX_SOFTWARE, fmt::format("cannot make an EXR: {}", error.what())};
   }
 }
 
-ImageFile decode(std::span<const std::byte> bytes, const std::string& name) {
+ExrFailure decode(std::span<const std::byte> bytes, const std::string& name, ImageFile& file) {
   try {
     limit_size();
     if (!has_all_attributes(bytes)) throw std::runtime_error("the file ends too early");
     MemoryInput input(bytes, name);
-    return read_picture(input, bytes.size());
+    file = read_picture(input, bytes.size());
+    return {};
   } catch (const std::exception& error) {
-    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what()));
+    return {EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what())};
   }
 }
 

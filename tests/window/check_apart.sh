@@ -21,7 +21,7 @@ until [ "$(cut -d' ' -f14 "/proc/$render/stat")" -gt 20 ]; do sleep 0.01; done
 maps=$(cat "/proc/$render/maps")
 kill "$render"
 wait "$render" || true
-if ! grep -q libfmt <<< "$maps" || grep -E "$windowing" <<< "$maps"; then
+if ! grep -q libc.so <<< "$maps" || grep -E "$windowing" <<< "$maps"; then
   echo "a render loads libraries of windows"
   exit 1
 fi

@@ -49,6 +49,15 @@ def whole_seconds(penumbra, scene):
         return time.perf_counter() - start
 
 
+def seconds_of_nothing():
+    """What any process takes: starting and ending one that does nothing."""
+    def once():
+        start = time.perf_counter()
+        subprocess.run(["/bin/true"], check=True)
+        return time.perf_counter() - start
+    return statistics.median(once() for _ in range(50))
+
+
 def run_once(penumbra, scene, picture, *options):
     subprocess.run([penumbra, "render", scene, "-o", picture, "--quiet", "--threads", "1", *options], check=True,
                    stdout=subprocess.DEVNULL)
@@ -101,13 +110,15 @@ def compare_with_prototype(penumbra, peers, turns):
                 turn_of[scene].append((theirs[scene], rendering, whole))
     print(f"Whole processes against the hand-specialised prototype's rendering, 300x300, 100 rays, 1 thread, "
           f"{turns} turns:\n")
-    print("| scene | prototype s | penumbra: render s | whole s | whole / prototype: median | best |\n"
-          "| --- | --: | --: | --: | --: | --: |")
+    print("| scene | prototype s | penumbra: render s | whole s | the rest ms | whole / prototype: median | best |\n"
+          "| --- | --: | --: | --: | --: | --: | --: |")
     for scene, all_turns in turn_of.items():
         best = [min(values) for values in zip(*all_turns)]
         ratio = statistics.median(whole / theirs for theirs, _, whole in all_turns)
-        print(f"| {scene} | {best[0]:.4f} | {best[1]:.4f} | {best[2]:.4f} | {ratio:.2f} | {best[2] / best[0]:.2f} |")
-    print()
+        rest = statistics.median(whole - rendering for _, rendering, whole in all_turns)
+        print(f"| {scene} | {best[0]:.4f} | {best[1]:.4f} | {best[2]:.4f} | {rest * 1e3:.1f} | {ratio:.2f} "
+              f"| {best[2] / best[0]:.2f} |")
+    print(f"\nTo start and end /bin/true takes {seconds_of_nothing() * 1e3:.1f} ms.\n")
 
 
 def rays_per_second(penumbra, turns):

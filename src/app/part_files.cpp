@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/part_file.hpp"
+#include "base/atomic_file.hpp"
 #include "image/image_file.hpp"
 #include "picture/develop.hpp"
 
@@ -35,6 +36,7 @@ void write_merged(const std::vector<Part>& parts, const std::vector<std::string>
   const ImageFile image = develop(merge(parts), development);
   for (const std::string& output : outputs) {
     write_image(output, image, {development.bits, development.rounding});
+    force_folder_of(output);  // its parts may be removed now
     if (!quiet) {
       fmt::print(stderr, "{}: {}x{} pixels, of {} parts\n", output, header.crop.width(), header.crop.height(),
                  parts.size());

@@ -77,7 +77,7 @@ class RenderRun {
       if (i == 0) sitting_.require_scene(version, file_.hash, frames_in_words());
       finished = render_file();
     }
-    if (!options_.stats.empty()) write_file_atomically(options_.stats, bytes_of(to_json(stats_)));
+    if (!options_.stats.empty()) write_output(options_.stats, bytes_of(to_json(stats_)));
     if (!finished) {
       fmt::print(stderr, "penumbra: {}\n", sitting_.why());
       return exit_interrupted;
@@ -262,9 +262,7 @@ class RenderRun {
              double pixels) const {
     const double rays_per_pixel = static_cast<double>(film.total_samples()) / pixels;
     const auto write_one = [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
-      write_file_atomically(path, bytes);
-      // Its checkpoint will be removed, and that must not outlive a power cut which the picture does not.
-      if (!options_.sitting.checkpoint.empty()) force_folder_of(path);
+      write_output(path, bytes);
       if (!options_.quiet) tell(path, job.plan, rays_per_pixel);
     };
     Development development = job.development;
@@ -278,6 +276,12 @@ class RenderRun {
                               job.plan.layers, film.counts(),  to_bytes(development)};
       write_one(files.front(), encode_part_file(header, film));
     }
+  }
+
+  void write_output(const std::filesystem::path& path, std::span<const std::byte> bytes) const {
+    write_file_atomically(path, bytes);
+    // The checkpoint is removed next; a power cut must not keep that and lose the file.
+    if (!options_.sitting.checkpoint.empty()) force_folder_of(path);
   }
 
   void tell(const std::filesystem::path& path, const Plan& plan, double rays_per_pixel) const {

@@ -233,7 +233,8 @@ void write_file_keeping_previous(const fs::path& path, std::span<const std::byte
 }
 
 void force_folder_of(const fs::path& path) {
-  const fs::path folder = folder_of(follow_links(path));
+  std::error_code error;
+  const fs::path folder = folder_of(fs::weakly_canonical(path, error));
   const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.get() >= 0) sync(directory.get());
 }

@@ -1,7 +1,7 @@
 // Whole files in and out. A file is written beside its place under a temporary name, forced to the disk and then
 // renamed, so that whoever looks sees the old file or the new one and never a half. A run that fails or is killed
 // leaves the old file, or none; what a killed run leaves behind is removed by the next write to the same target. In the
-// seconds after a write, a power cut may bring the old file back, whole, unless the folder is forced to the disk too.
+// seconds after a write, a power cut may bring the old file back, or none, unless the folder is forced to the disk too.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// The functions of fmt that are not templates, and what of its templates its header says is made once: as part of the
-// program, because Debian has them as a shared library alone, which loads the C++ library as another (docs/
-// architecture.md, "A quick start"). The list is that of fmt 9, `src/format.cc`.
+// fmt's own functions, and those instances of its templates that its headers declare to be elsewhere. Debian has them
+// in a shared library only, which a start would have to load, and the C++ library with it: see "A quick start" in
+// docs/architecture.md. The list is that of fmt 9, `src/format.cc`.
 #include <fmt/format-inl.h>
 
 static_assert(FMT_VERSION / 10000 == 9, "another version of fmt: see which templates its src/format.cc makes");

@@ -1,5 +1,6 @@
 #include "image/exr.hpp"
 
+#include <fmt/format.h>
 #include <sysexits.h>
 
 #include <array>
@@ -38,16 +39,14 @@ void require_agreement(const ImageFile& file) {
   if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture is not of the picture's size");
 }
 
-void require_success(const ExrFailure& failure) {
-  if (failure.exit_code != 0) throw FileError(failure.exit_code, failure.sentence);
-}
-
 }  // namespace
 
 std::vector<std::byte> encode_exr(const ImageFile& file) {
   require_agreement(file);
   std::vector<std::byte> bytes;
-  require_success(exr_module().encode(file, bytes));
+  if (const auto trouble = exr_module().encode(file, bytes)) {
+    throw FileError(EX_SOFTWARE, fmt::format("cannot make an EXR: {}", *trouble));
+  }
   return bytes;
 }
 
@@ -58,7 +57,9 @@ bool is_exr(std::span<const std::byte> bytes) {
 
 ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name) {
   ImageFile file;
-  require_success(exr_module().decode(bytes, name, file));
+  if (const auto trouble = exr_module().decode(bytes, name, file)) {
+    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, *trouble));
+  }
   return file;
 }
 

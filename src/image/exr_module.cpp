@@ -10,7 +10,6 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
-#include <sysexits.h>
 
 #include <algorithm>
 #include <array>
@@ -202,8 +201,23 @@ ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
   return file;
 }
 
-ExrFailure encode(const ImageFile& file, std::vector<std::byte>& bytes) {
+// Does it, and tells what exception came of it.
+template <class Work>
+std::optional<std::string> trouble_with(const Work& work) noexcept {
   try {
+    try {
+      work();
+      return std::nullopt;
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  } catch (...) {
+    return "out of memory";  // so short that it takes none
+  }
+}
+
+std::optional<std::string> encode(const ImageFile& file, std::vector<std::byte>& bytes) noexcept {
+  return trouble_with([&] {
     MemoryOutput output;
     {
       const Imf::Header header = header_for(file);
@@ -221,22 +235,16 @@ ExrFailure encode(const ImageFile& file, std::vector<std::byte>& bytes) {
       // The destructor writes the table of offsets.
     }
     bytes = std::move(output.bytes);
-    return {};
-  } catch (const std::exception& error) {
-    return {EX_SOFTWARE, fmt::format("cannot make an EXR: {}", error.what())};
-  }
+  });
 }
 
-ExrFailure decode(std::span<const std::byte> bytes, const std::string& name, ImageFile& file) {
-  try {
+std::optional<std::string> decode(std::span<const std::byte> bytes, const std::string& name, ImageFile& file) noexcept {
+  return trouble_with([&] {
     limit_size();
     if (!has_all_attributes(bytes)) throw std::runtime_error("the file ends too early");
     MemoryInput input(bytes, name);
     file = read_picture(input, bytes.size());
-    return {};
-  } catch (const std::exception& error) {
-    return {EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what())};
-  }
+  });
 }
 
 }  // namespace

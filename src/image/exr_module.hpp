@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,19 +13,14 @@
 
 namespace penumbra {
 
-// What a FileError tells; no exit code where nothing went wrong.
-struct ExrFailure {
-  int exit_code = 0;
-  std::string sentence;
-};
-
-// As encode_exr and decode_exr, with the answer in the last parameter.
+// As encode_exr and decode_exr, with the result in the last parameter. They answer what went wrong, or nothing.
 struct ExrModule {
-  ExrFailure (*encode)(const ImageFile& file, std::vector<std::byte>& bytes);
-  ExrFailure (*decode)(std::span<const std::byte> bytes, const std::string& name, ImageFile& file);
+  std::optional<std::string> (*encode)(const ImageFile& file, std::vector<std::byte>& bytes) noexcept;
+  std::optional<std::string> (*decode)(std::span<const std::byte> bytes, const std::string& name,
+                                       ImageFile& file) noexcept;
 };
 
 // The only function that the module shows.
-extern "C" const ExrModule* penumbra_exr_module();
+extern "C" __attribute__((visibility("default"))) const ExrModule* penumbra_exr_module();
 
 }  // namespace penumbra

@@ -59,7 +59,7 @@ std::string_view nearest_command(std::string_view word) {
 
 std::string argument_names(const Form& form) {
   std::string names;
-  for (const Argument& argument : form.arguments()) {
+  for (const Argument& argument : form.argument) {
     if (!names.empty()) names += ' ';
     names += argument.name;
   }

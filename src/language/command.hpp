@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,14 +33,11 @@ inline constexpr int most_arguments = 13;
 
 // The arguments of one way to write a command.
 struct Form {
-  std::array<Argument, most_arguments> argument{};
+  std::span<const Argument> argument;
   int count = 0;
 
   constexpr Form() = default;
-  constexpr Form(std::initializer_list<Argument> list) {
-    for (const Argument& a : list) argument[static_cast<std::size_t>(count++)] = a;
-  }
-  std::span<const Argument> arguments() const { return {argument.data(), static_cast<std::size_t>(count)}; }
+  constexpr explicit Form(std::span<const Argument> list) : argument(list), count(static_cast<int>(list.size())) {}
 };
 
 // The ways to write a command: mostly one, at most two that differ in their number of arguments.

@@ -27,6 +27,14 @@ constexpr Argument spec_pow = zero_or_more("spec_pow"), index = above_zero("inde
 constexpr Argument gloss_radius = zero_or_more("gloss_radius"), blur_radius = zero_or_more("blur_radius");
 constexpr Argument radius = above_zero("radius"), light_radius = zero_or_more("radius");
 constexpr Argument degrees = number("degrees");
+constexpr Argument ux = number("ux"), uy = number("uy"), uz = number("uz");
+constexpr Argument vx = number("vx"), vy = number("vy"), vz = number("vz");
+constexpr Argument wx = number("wx"), wy = number("wy"), wz = number("wz");
+constexpr Argument dist = number("dist"), shutter_open = number("open"), shutter_close = number("close");
+constexpr Argument focal_length = above_zero("F"), f_number = above_zero("n"), focus = number("P");
+constexpr Argument inner = half_turn("inner"), outer = half_turn("outer");
+constexpr Argument scale = number("scale"), u = number("u"), v = number("v");
+constexpr Argument ymin = number("ymin"), ymax = number("ymax");
 constexpr Argument field = {.name = "degrees", .low = 0, .high = 180, .above_low = true, .below_high = true};
 constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
@@ -39,93 +47,94 @@ constexpr double far_pixel = 1 << 30;
 constexpr Argument px0 = whole("x0", -far_pixel, far_pixel), py0 = whole("y0", -far_pixel, far_pixel);
 constexpr Argument px1 = whole("x1", -far_pixel, far_pixel), py1 = whole("y1", -far_pixel, far_pixel);
 
-constexpr Forms none{Form{}};
-constexpr Forms takes(const Form& form) { return Forms{form}; }
+// The arguments stand once for each form, and not in a table with room for the longest: what the loader has to go
+// through at every start is small.
+template <const Argument&... arguments>
+constexpr std::array<Argument, sizeof...(arguments)> list{arguments...};
+template <const Argument&... arguments>
+constexpr Form form{list<arguments...>};
+template <const Argument&... arguments>
+constexpr Forms takes{form<arguments...>};
+constexpr Forms none = takes<>;
 
 using enum Section;
 constexpr bool no = false;  // not between `begin` and `end`
 
 constexpr std::array table{
-    Command{"background", output, takes({r, g, b}), "the colour of a ray that hits nothing; black if not given",
+    Command{"background", output, takes<r, g, b>, "the colour of a ray that hits nothing; black if not given",
             actions::background},
-    Command{"image_size", output, takes({pixels_w, pixels_h}), "width and height of the picture in pixels; 300 300",
+    Command{"image_size", output, takes<pixels_w, pixels_h>, "width and height of the picture in pixels; 300 300",
             actions::image_size},
-    Command{"write", output, takes({file}), "a picture of the scene as it stands here, into that file", actions::write,
+    Command{"write", output, takes<file>, "a picture of the scene as it stands here, into that file", actions::write,
             no},
     Command{"render", output, none, "a picture of the scene as it stands here, named after the scene file",
             actions::render, no},
-    Command{"read", output, takes({file}),
+    Command{"read", output, takes<file>,
             "read another file in place, with the current matrix and surface; relative to the file that says it",
             actions::read},
     Command{"reset_timer", output, none, "set the clock to zero, between the pictures before and after it",
             actions::reset_timer},
     Command{"print_timer", output, none, "print the seconds since then", actions::print_timer},
-    Command{"color", output, takes({r, g, b}), "the colour of the `rect` commands that follow; white if not given",
+    Command{"color", output, takes<r, g, b>, "the colour of the `rect` commands that follow; white if not given",
             actions::color},
-    Command{"rect", output, takes({px0, py0, px1, py1}),
+    Command{"rect", output, takes<px0, py0, px1, py1>,
             "paint columns x0 to x1-1 and rows y0 to y1-1, counted from the bottom, over the next picture",
             actions::rect},
 
-    Command{"fov", camera, takes({field}), "full angle of view over the shorter side of the picture; 60", actions::fov},
-    Command{"eye", camera, takes({x, y, z}), "position of the eye; the origin", actions::eye},
-    Command{"uvw", camera,
-            takes({number("ux"), number("uy"), number("uz"), number("vx"), number("vy"), number("vz"), number("wx"),
-                   number("wy"), number("wz")}),
+    Command{"fov", camera, takes<field>, "full angle of view over the shorter side of the picture; 60", actions::fov},
+    Command{"eye", camera, takes<x, y, z>, "position of the eye; the origin", actions::eye},
+    Command{"uvw", camera, takes<ux, uy, uz, vx, vy, vz, wx, wy, wz>,
             "right, up and back of the camera, which looks along -w; the axes", actions::uvw},
-    Command{"lens", camera, takes({light_radius, number("dist")}),
+    Command{"lens", camera, takes<light_radius, dist>,
             "a thin lens of that radius round the eye, with the plane at that distance in focus; radius 0: a pinhole",
             actions::lens},
     Command{
-        "camera_lens", camera, takes({above_zero("F"), above_zero("n"), number("P")}),
+        "camera_lens", camera, takes<focal_length, f_number, focus>,
         "a lens of focal length F and aperture F/n, with the plane at distance P, more than F, in focus (the later of "
         "this and `lens` counts)",
         actions::camera_lens},
-    Command{"shutter", camera, takes({number("open"), number("close")}),
-            "the time during which the shutter is open; 0 1", actions::shutter},
+    Command{"shutter", camera, takes<shutter_open, shutter_close>, "the time during which the shutter is open; 0 1",
+            actions::shutter},
 
-    Command{"rays_per_pixel", sampling, takes({rays}), "rays through each pixel; 1", actions::rays_per_pixel},
-    Command{"sampler", sampling, takes({name}),
+    Command{"rays_per_pixel", sampling, takes<rays>, "rays through each pixel; 1", actions::rays_per_pixel},
+    Command{"sampler", sampling, takes<name>,
             "the pattern of the sample points: regular, random, jittered, multijittered, poisson, halton, sobol or "
             "bluenoise; sobol",
             actions::sampler},
-    Command{"seed", sampling, takes({any_seed}), "another choice of the random numbers; 0", actions::seed},
-    Command{"max_depth", sampling, takes({depth}),
+    Command{"seed", sampling, takes<any_seed>, "another choice of the random numbers; 0", actions::seed},
+    Command{"max_depth", sampling, takes<depth>,
             "at this depth no further ray is sent; the ray from the eye has depth 0; 8", actions::max_depth},
-    Command{"reflection_rays", sampling, takes({rays_each}),
+    Command{"reflection_rays", sampling, takes<rays_each>,
             "reflected rays from what a ray from the eye hits; every deeper hit sends one; 1",
             actions::reflection_rays},
-    Command{"transmission_rays", sampling, takes({rays_each}), "the same for transmitted rays; 1",
+    Command{"transmission_rays", sampling, takes<rays_each>, "the same for transmitted rays; 1",
             actions::transmission_rays},
-    Command{"shadow_rays", sampling, takes({rays_each}), "the same for shadow rays, to each disk light; 1",
+    Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each disk light; 1",
             actions::shadow_rays},
 
-    Command{"light", lights, takes({x, y, z, r, g, b}), "a point light, equally bright at every distance",
+    Command{"light", lights, takes<x, y, z, r, g, b>, "a point light, equally bright at every distance",
             actions::point_light},
-    Command{"point_light", lights, takes({x, y, z, r, g, b}), "the same", actions::point_light},
-    Command{"disk_light", lights, takes({x, y, z, light_radius, dx, dy, dz, r, g, b}),
+    Command{"point_light", lights, takes<x, y, z, r, g, b>, "the same", actions::point_light},
+    Command{"disk_light", lights, takes<x, y, z, light_radius, dx, dy, dz, r, g, b>,
             "a disk that faces the direction dx dy dz and casts soft shadows; it is not seen itself",
             actions::disk_light},
-    Command{"spotlight", lights, takes({x, y, z, dx, dy, dz, half_turn("inner"), half_turn("outer"), r, g, b}),
+    Command{"spotlight", lights, takes<x, y, z, dx, dy, dz, inner, outer, r, g, b>,
             "a light into one direction: full up to `inner` degrees from it, fading to none at `outer`",
             actions::spotlight},
 
-    Command{"surface",
-            surfaces,
-            {{dr, dg, db}, {dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl}},
-            "diffuse only; or ambient, specular and mirror too",
-            actions::surface},
-    Command{"diffuse", surfaces, takes({dr, dg, db, ar, ag, ab}), "diffuse and ambient", actions::diffuse},
-    Command{"reflective", surfaces, takes({dr, dg, db, ar, ag, ab, k_refl}), "diffuse, ambient and mirror",
+    Command{"surface", surfaces, Forms(form<dr, dg, db>, form<dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl>),
+            "diffuse only; or ambient, specular and mirror too", actions::surface},
+    Command{"diffuse", surfaces, takes<dr, dg, db, ar, ag, ab>, "diffuse and ambient", actions::diffuse},
+    Command{"reflective", surfaces, takes<dr, dg, db, ar, ag, ab, k_refl>, "diffuse, ambient and mirror",
             actions::reflective},
-    Command{"shiny", surfaces, takes({dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl, k_trans, index}),
+    Command{"shiny", surfaces, takes<dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl, k_trans, index>,
             "diffuse, ambient, specular, mirror and glass", actions::shiny},
-    Command{"glossy", surfaces, takes({dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius}),
+    Command{"glossy", surfaces, takes<dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius>,
             "diffuse, specular and a mirror that is blurred by gloss_radius", actions::glossy},
     Command{"translucent", surfaces,
-            takes({dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius, k_trans, index, blur_radius}),
+            takes<dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius, k_trans, index, blur_radius>,
             "as `glossy`, and light comes through, blurred by blur_radius", actions::translucent},
-    Command{"noise", surfaces, takes({number("scale")}), "solid noise in grey instead of the diffuse colour",
-            actions::noise},
+    Command{"noise", surfaces, takes<scale>, "solid noise in grey instead of the diffuse colour", actions::noise},
     Command{"wood", surfaces, none, "solid wood instead of the diffuse colour, with its rings round the x axis",
             actions::wood},
     Command{"marble", surfaces, none, "solid marble in grey instead of the diffuse colour", actions::marble},
@@ -133,47 +142,46 @@ constexpr std::array table{
             actions::stone},
 
     Command{"begin", shapes, none, "starts a triangle or a convex polygon", actions::begin},
-    Command{"vertex", shapes, takes({x, y, z}), "one corner of it", actions::vertex},
-    Command{"texture_coord", shapes, takes({number("u"), number("v")}), "accepted, and of no effect",
-            actions::texture_coord},
+    Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
+    Command{"texture_coord", shapes, takes<u, v>, "accepted, and of no effect", actions::texture_coord},
     Command{"end", shapes, none, "ends it; more than three corners are split as a fan", actions::end},
-    Command{"sphere", shapes, takes({radius, x, y, z}), "a sphere round the point x y z", actions::sphere, no},
-    Command{"moving_sphere", shapes, takes({radius, x1, y1, z1, x2, y2, z2}),
+    Command{"sphere", shapes, takes<radius, x, y, z>, "a sphere round the point x y z", actions::sphere, no},
+    Command{"moving_sphere", shapes, takes<radius, x1, y1, z1, x2, y2, z2>,
             "a sphere whose centre moves straight from the first point to the second during time 0 to 1",
             actions::moving_sphere, no},
-    Command{"box", shapes, takes({x1, y1, z1, x2, y2, z2}), "a box along the axes; two opposite corners, in any order",
+    Command{"box", shapes, takes<x1, y1, z1, x2, y2, z2>, "a box along the axes; two opposite corners, in any order",
             actions::box, no},
-    Command{"cylinder", shapes, takes({radius, x, z, number("ymin"), number("ymax")}),
-            "a cylinder along y, closed at both ends", actions::cylinder, no},
-    Command{"hollow_cylinder", shapes, takes({radius, x, z, number("ymin"), number("ymax")}), "the same without ends",
+    Command{"cylinder", shapes, takes<radius, x, z, ymin, ymax>, "a cylinder along y, closed at both ends",
+            actions::cylinder, no},
+    Command{"hollow_cylinder", shapes, takes<radius, x, z, ymin, ymax>, "the same without ends",
             actions::hollow_cylinder, no},
-    Command{"mesh", shapes, takes({file}),
+    Command{"mesh", shapes, takes<file>,
             "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that says "
             "it",
             actions::mesh, no},
 
-    Command{"moving_object", groups, takes({dx, dy, dz}),
+    Command{"moving_object", groups, takes<dx, dy, dz>,
             "the last object (shape, mesh, group or instance) is shifted by time * (dx, dy, dz); a second one adds",
             actions::moving_object, no},
     Command{"begin_list", groups, none, "starts a group", actions::begin_group, no},
     Command{"end_list", groups, none, "ends it; the group is the last object then", actions::end_group, no},
     Command{"begin_accel", groups, none, "starts a group", actions::begin_group, no},
     Command{"end_accel", groups, none, "ends it, whichever way it was started", actions::end_group, no},
-    Command{"named_object", groups, takes({name}),
+    Command{"named_object", groups, takes<name>,
             "takes the last object or group out of the scene and gives it a name; then there is no last object",
             actions::named_object, no},
-    Command{"instance", groups, takes({name}),
+    Command{"instance", groups, takes<name>,
             "places what has that name under the current matrix, with the surfaces of its definition",
             actions::instance, no},
 
     Command{"push", matrix, none, "keeps the current matrix", actions::push},
     Command{"pop", matrix, none, "goes back to the matrix kept last", actions::pop},
-    Command{"translate", matrix, takes({x, y, z}), "shift", actions::translate},
-    Command{"scale", matrix, takes({x, y, z}), "stretch along the axes; a factor of zero is an error", actions::scale},
-    Command{"rotate", matrix, takes({degrees, ax, ay, az}), "turn about any axis, right handed", actions::rotate},
-    Command{"rotatex", matrix, takes({degrees}), "turn about the x axis", actions::rotate_x},
-    Command{"rotatey", matrix, takes({degrees}), "turn about the y axis", actions::rotate_y},
-    Command{"rotatez", matrix, takes({degrees}), "turn about the z axis", actions::rotate_z},
+    Command{"translate", matrix, takes<x, y, z>, "shift", actions::translate},
+    Command{"scale", matrix, takes<x, y, z>, "stretch along the axes; a factor of zero is an error", actions::scale},
+    Command{"rotate", matrix, takes<degrees, ax, ay, az>, "turn about any axis, right handed", actions::rotate},
+    Command{"rotatex", matrix, takes<degrees>, "turn about the x axis", actions::rotate_x},
+    Command{"rotatey", matrix, takes<degrees>, "turn about the y axis", actions::rotate_y},
+    Command{"rotatez", matrix, takes<degrees>, "turn about the z axis", actions::rotate_z},
 };
 
 }  // namespace

@@ -202,7 +202,7 @@ constexpr std::array sections{
 // "radius: greater than 0; w, h: a whole number from 1 to 5": the arguments with a range.
 std::string ranges(const Form& form) {
   std::string text, last;
-  for (const Argument& argument : form.arguments()) {
+  for (const Argument& argument : form.argument) {
     const std::string range = argument.is_number() ? range_of(argument) : std::string();
     if (range == last) {
       if (!range.empty()) text.insert(text.size() - range.size() - 2, fmt::format(", {}", argument.name));

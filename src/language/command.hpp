@@ -34,10 +34,8 @@ inline constexpr int most_arguments = 13;
 // The arguments of one way to write a command.
 struct Form {
   std::span<const Argument> argument;
-  int count = 0;
 
-  constexpr Form() = default;
-  constexpr explicit Form(std::span<const Argument> list) : argument(list), count(static_cast<int>(list.size())) {}
+  constexpr int count() const { return static_cast<int>(argument.size()); }
 };
 
 // The ways to write a command: mostly one, at most two that differ in their number of arguments.

@@ -1,5 +1,7 @@
 // The table of all commands: name, section, arguments, one line of help, action. Reading, error messages, hints and
 // docs/language.md all come from here.
+#include <algorithm>
+
 #include "language/actions.hpp"
 #include "language/command.hpp"
 
@@ -183,6 +185,11 @@ constexpr std::array table{
     Command{"rotatey", matrix, takes<degrees>, "turn about the y axis", actions::rotate_y},
     Command{"rotatez", matrix, takes<degrees>, "turn about the z axis", actions::rotate_z},
 };
+
+constexpr bool has_room_in_call(const Command& command) {
+  return std::ranges::all_of(command.forms.form, [](const Form& form) { return form.count() <= most_arguments; });
+}
+static_assert(std::ranges::all_of(table, has_room_in_call));
 
 }  // namespace
 

@@ -53,7 +53,7 @@ void unknown_command(Reading& reading, const Place& place, std::string_view word
 
 const Form* form_with(const Command& command, int arguments) {
   for (const Form& form : command.forms.all()) {
-    if (form.count == arguments) return &form;
+    if (form.count() == arguments) return &form;
   }
   return nullptr;
 }
@@ -61,7 +61,7 @@ const Form* form_with(const Command& command, int arguments) {
 // Says that there are too few or too many arguments, at the first that is too many or at the command.
 void wrong_count(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   int most = 0;
-  for (const Form& form : command.forms.all()) most = std::max(most, form.count);
+  for (const Form& form : command.forms.all()) most = std::max(most, form.count());
   const int found = words.count - 1;
   const auto first_extra = static_cast<std::size_t>(found > most ? most + 1 : 0);
   reading.diagnostics.error(place_of(visit, line, words.word[first_extra]),
@@ -136,13 +136,13 @@ bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit
 }
 
 void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
-  const bool numeric = command.forms.form[0].count > 0 && command.forms.form[0].argument[0].is_number();
+  const bool numeric = command.forms.form[0].count() > 0 && command.forms.form[0].argument[0].is_number();
   if (numeric && has_open_expression(reading, line, visit, words)) return;
   const Form* const form = form_with(command, words.count - 1);
   if (form == nullptr) return wrong_count(reading, command, line, visit, words);
   Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};
   bool right = true;
-  for (int i = 0; i < form->count; i++) {
+  for (int i = 0; i < form->count(); i++) {
     if (form->argument[static_cast<std::size_t>(i)].is_number()) right = read_number(reading, call, i) && right;
   }
   if (right && !command.in_polygon && reading.builder.in_polygon()) {

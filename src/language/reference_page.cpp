@@ -218,7 +218,7 @@ std::string command_row(const Command& command) {
   std::string how, limits;
   for (const Form& form : command.forms.all()) {
     if (!how.empty()) how += "<br>";
-    how += fmt::format("`{}`{}{}", command.name, form.count > 0 ? " " : "", argument_names(form));
+    how += fmt::format("`{}`{}{}", command.name, form.count() > 0 ? " " : "", argument_names(form));
     limits = ranges(form);
   }
   return fmt::format("| {} | {} | {} |\n", how, command.help, limits);

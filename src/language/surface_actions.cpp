@@ -34,7 +34,7 @@ void set_texture(Reading& reading, Texture texture) {
 
 void surface(Reading& reading, const Call& call) {
   Surface surface = plain(call);
-  if (call.form.count > 3) {
+  if (call.form.count() > 3) {
     surface = with_ambient(call);
     add_specular(surface, call, 6, Highlight::phong);
   }

@@ -101,7 +101,7 @@ TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
   for (const Command& command : all_commands()) {
     for (const int change : {-1, 1}) {
       const Form& form = command.forms.form[static_cast<std::size_t>(command.forms.count - 1)];
-      const int count = form.count + change;
+      const int count = form.count() + change;
       if (count < 0) continue;
       std::string text(command.name);
       for (int i = 0; i < count; i++) text += " 1";
@@ -118,11 +118,11 @@ TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
 TEST(CommandTable, checksTheKindOfEveryArgument) {
   for (const Command& command : all_commands()) {
     for (const Form& form : command.forms.all()) {
-      for (int bad = 0; bad < form.count; bad++) {
+      for (int bad = 0; bad < form.count(); bad++) {
         const Argument& argument = form.argument[static_cast<std::size_t>(bad)];
         if (!argument.is_number()) continue;
         std::string text(command.name);
-        for (int i = 0; i < form.count; i++) text += i == bad ? " one" : " 1";
+        for (int i = 0; i < form.count(); i++) text += i == bad ? " one" : " 1";
         const SceneFile file = read(text);
         ASSERT_FALSE(file.diagnostics.empty()) << text;
         EXPECT_EQ(file.diagnostics[0].message,

@@ -142,7 +142,7 @@ TEST_F(FrameTest, goOnFromACheckpoint) {
 }
 
 TEST_F(FrameTest, refuseTheCheckpointOfAnotherAnimation) {
-  const Words checkpoint = {"--rays", "100000", "--checkpoint", checkpoint_, "--time-limit", "0.1s"};
+  const Words checkpoint = {"--rays", "10000000", "--checkpoint", checkpoint_, "--time-limit", "0.5s"};
   ASSERT_EQ(render_frames(checkpoint + Words{"--frames", "0-2"}), 75) << said();
   EXPECT_EQ(render_frames(checkpoint + Words{"--frames", "0-3", "--resume"}), 65);
   EXPECT_NE(said().find("its `frames` is 0-2, and 0-3 here"), std::string::npos) << said();

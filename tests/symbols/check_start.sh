@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fails if starting the program loads one of these libraries.
+# Fails if starting the program loads one of these libraries, or leaves its heap in small pages.
 # usage: check_start.sh PENUMBRA LIBRARY...
 set -euo pipefail
 needed=$(readelf -d "$1" | grep NEEDED)
@@ -9,3 +9,8 @@ for library in "${@:2}"; do
     exit 1
   fi
 done
+symbols=$(nm -C "$1")
+if ! grep -qF "penumbra::use_large_heap()" <<< "$symbols"; then
+  echo "the program does not call use_large_heap, which costs every start a hundred page faults"
+  exit 1
+fi

@@ -64,8 +64,8 @@ class ZeroedPages {
 
  private:
   static constexpr std::size_t large_page = std::size_t{2} << 20;
-  // Where a large page is cheaper than what it takes of small ones.
-  static constexpr std::size_t fewest_bytes = large_page / 8;
+  // Below that, the heap's pages are large too (base/large_heap.hpp), and are used again.
+  static constexpr std::size_t fewest_bytes = 2 * large_page;
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };
 

@@ -1,8 +1,10 @@
-// PNG on libpng: see png.hpp. libpng reports errors by longjmp, so each run of its calls stands in a function of its
-// own that has no object with a destructor; what must be freed belongs to the caller.
+// PNG on libpng, with pixels compressed by libdeflate: see png.hpp. libpng reports errors by longjmp, so each run of
+// its calls stands in a function of its own that has no object with a destructor; what must be freed belongs to the
+// caller.
 #include "image/png.hpp"
 
 #include <fmt/format.h>
+#include <libdeflate.h>
 #include <png.h>
 #include <sysexits.h>
 
@@ -11,6 +13,9 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <memory>
+#include <new>
 
 #include "base/atomic_file.hpp"
 #include "image/limits.hpp"
@@ -74,26 +79,48 @@ void quantize_row(std::span<const float> values, int bits, Rounding rounding, pn
   }
 }
 
-// False after an error; the writer then has its message. `row` has room for the samples of one row.
-bool write_picture(Writer& writer, const Image& image, int bits, Rounding rounding, std::span<png_text> text,
-                   png_bytep row) {
+// The rows as they are compressed: the byte of the filter and what it makes of the samples. With the differences from
+// the pixel to the left, files are 5 to 25 % smaller than with the samples themselves; differences from the pixel above
+// are no better.
+ZeroedVector<png_byte> filtered_rows(const Image& image, int bits, Rounding rounding) {
+  const std::size_t row_values = 3 * static_cast<std::size_t>(image.width);
+  const std::size_t pixel_bytes = 3 * static_cast<std::size_t>(bits / 8);
+  const std::size_t row_bytes = row_values * static_cast<std::size_t>(bits / 8);
+  ZeroedVector<png_byte> filtered(static_cast<std::size_t>(image.height) * (1 + row_bytes));
+  std::vector<png_byte> row(row_bytes);
+  png_byte* out = filtered.data();
+  for (std::size_t first = 0; first < image.rgb.size(); first += row_values) {
+    quantize_row({&image.rgb[first], row_values}, bits, rounding, row.data());
+    *out++ = PNG_FILTER_VALUE_SUB;
+    out = std::copy_n(row.data(), pixel_bytes, out);
+    out = std::transform(row.begin() + static_cast<std::ptrdiff_t>(pixel_bytes), row.end(), row.begin(), out,
+                         std::minus<png_byte>());
+  }
+  return filtered;
+}
+
+// Level 1 of libdeflate takes half of the time of level 1 of zlib, for files that are 4 to 17 % smaller; level 3 makes
+// them another 3 to 6 % smaller in 1.2 to 1.8 times the time.
+ZeroedVector<png_byte> compressed(std::span<const png_byte> bytes) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  ZeroedVector<png_byte> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
+  return result;
+}
+
+// False after an error; the writer then has its message. `pixels` are compressed rows.
+bool write_picture(Writer& writer, const Image& image, int bits, std::span<png_text> text,
+                   std::span<const png_byte> pixels) {
   if (setjmp(png_jmpbuf(writer.png))) return false;
   png_set_write_fn(writer.png, &writer.bytes, append_bytes, nothing_to_flush);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // Chosen for speed: of levels 1-3 with the filters none, sub and up on rendered 300 x 300 pictures, level 1 with sub
-  // takes 0.8-1.5 ms and makes files 5-25 % smaller than without a filter at up to 0.15 ms less; level 3 saves another
-  // 10-20 % for 1.4 times the time; the strategies RLE and Huffman-only are larger and no faster.
-  png_set_compression_level(writer.png, 1);
-  png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   if (!text.empty()) png_set_text(writer.png, writer.info, text.data(), static_cast<int>(text.size()));
   png_write_info(writer.png, writer.info);
-  const std::size_t row_values = 3 * static_cast<std::size_t>(image.width);
-  for (std::size_t first = 0; first < image.rgb.size(); first += row_values) {
-    quantize_row({&image.rgb[first], row_values}, bits, rounding, row);
-    png_write_row(writer.png, row);
-  }
-  png_write_end(writer.png, nullptr);
+  png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"), pixels.data(), pixels.size());
+  png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   return true;
 }
 
@@ -213,10 +240,9 @@ std::vector<std::byte> encode_png(const Image& image, const Metadata& metadata, 
 
   Writer writer;
   if (!writer.info) throw FileError(EX_SOFTWARE, "cannot make a PNG: not enough memory");
-  const std::size_t sample_bytes = static_cast<std::size_t>(bits / 8);
-  writer.bytes.reserve(image.rgb.size() * sample_bytes / 2 + 4096);
-  std::vector<png_byte> row(3 * static_cast<std::size_t>(image.width) * sample_bytes);
-  if (!write_picture(writer, image, bits, rounding, text, row.data())) {
+  const ZeroedVector<png_byte> pixels = compressed(filtered_rows(image, bits, rounding));
+  writer.bytes.reserve(pixels.size() + 4096);
+  if (!write_picture(writer, image, bits, text, pixels)) {
     throw FileError(EX_SOFTWARE, fmt::format("cannot make a PNG: {}", writer.message.data()));
   }
   return std::move(writer.bytes);

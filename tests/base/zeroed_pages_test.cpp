@@ -9,9 +9,8 @@ namespace penumbra {
 namespace {
 
 TEST(ZeroedPages, BeginAsZeros) {
-  for (const std::size_t size :
-       {std::size_t{1}, std::size_t{1000}, (std::size_t{1} << 18) - 1, std::size_t{1} << 18, (std::size_t{2} << 20) - 1,
-        std::size_t{2} << 20, (std::size_t{2} << 20) + 1, std::size_t{5'000'003}}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, std::size_t{1} << 18, (std::size_t{4} << 20) - 1,
+                                 std::size_t{4} << 20, (std::size_t{4} << 20) + 1, std::size_t{5'000'003}}) {
     for (int turn = 0; turn < 3; turn++) {
       ZeroedVector<std::uint8_t> bytes(size);
       EXPECT_EQ(std::count(bytes.begin(), bytes.end(), 0), static_cast<std::ptrdiff_t>(size));

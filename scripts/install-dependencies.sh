@@ -6,8 +6,8 @@
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev zlib1g-dev
-                libdeflate-dev libcli11-dev libfmt-dev libmuparser-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev libimgui-dev libgl-dev
-                libopengl-dev)
+                libdeflate-dev libcli11-dev libfmt-dev libmuparser-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev
+                libimgui-dev libgl-dev libopengl-dev)
 # The window is tested on an X server without a screen, with OpenGL in software and keys that are pressed for real.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)

@@ -2,8 +2,9 @@
 
 namespace penumbra {
 
-// Has the first 512 MB that malloc and new hand out lie in the kernel's large pages, where it has such: a wish, nothing
-// but speed depends on it. To be called once, before there is a second thread.
+// Has the first 512 MB that malloc and new hand out, to all threads, lie in the kernel's large pages, where it has such
+// and the process has no limit of memory. What is freed of them stays with the process. Nothing but speed depends on
+// it. To be called once, before there is a second thread.
 void use_large_heap();
 
 }  // namespace penumbra

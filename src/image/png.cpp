@@ -106,7 +106,10 @@ ZeroedVector<png_byte> compressed(std::span<const png_byte> bytes) {
       libdeflate_alloc_compressor(1), &libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
   ZeroedVector<png_byte> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
-  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
+  const std::size_t size =
+      libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size());
+  if (size == 0) throw FileError(EX_SOFTWARE, "cannot make a PNG: its pixels do not fit where they always do");
+  result.resize(size);
   return result;
 }
 

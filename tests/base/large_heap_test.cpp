@@ -1,14 +1,18 @@
 #include "base/large_heap.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace penumbra {
@@ -37,16 +41,32 @@ TEST(LargeHeap, BlocksLieInLargePages) {
   if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP() << "a kernel without large pages";
   use_large_heap();
   std::vector<std::unique_ptr<char[]>> blocks;
-  for (const std::size_t size : {100 << 10, 1 << 20, 16 << 20, 50 << 20}) {
+  for (const std::size_t size : {100 << 10, 1 << 20, 16 << 20}) {
     blocks.push_back(std::make_unique<char[]>(size));
-    blocks.back()[size - 1] = 1;
+    std::thread([&] { blocks.push_back(std::make_unique<char[]>(size)); }).join();
   }
-  blocks.pop_back();  // larger than what the heap takes, so on its own
   for (const auto& block : blocks) EXPECT_TRUE(asked_for_large_pages(block.get()));
   const void* const last = blocks.back().get();
   blocks.pop_back();  // is kept, and given out again
   blocks.push_back(std::make_unique<char[]>(16 << 20));
   EXPECT_EQ(blocks.back().get(), last);
+}
+
+// The exit code of a process with a limit of 2 GB: whether its heap was grown.
+void grow_with_limit(int resource) {
+  rlimit limit{};
+  getrlimit(resource, &limit);
+  limit.rlim_cur = std::size_t{2} << 30;
+  if (setrlimit(resource, &limit) != 0) std::exit(2);
+  const char* const before = static_cast<char*>(sbrk(0));
+  use_large_heap();
+  std::exit(static_cast<char*>(sbrk(0)) - before > (1 << 20) ? 1 : 0);
+}
+
+TEST(LargeHeapDeathTest, LeavesMemoryToOthersWhereItIsLimited) {
+  for (const int resource : {RLIMIT_AS, RLIMIT_DATA}) {
+    EXPECT_EXIT(grow_with_limit(resource), testing::ExitedWithCode(0), "");
+  }
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <random>
+
 #include "base/atomic_file.hpp"
 #include "image/test_pictures.hpp"
 
@@ -42,6 +44,16 @@ TEST(Png, SixteenBitsComeBack) {
   Image image = make_image(128, 171);  // a little more than 65536 values
   for (std::size_t i = 0; i < image.rgb.size(); i++) image.rgb[i] = static_cast<float>(i % 65536) / 65535.0f;
   EXPECT_EQ(decode_png(encode_png(image, {}, 16, Rounding::nearest), "x.png").image, image);
+}
+
+// Its pixels are one chunk of more than the 8 MB that other chunks may have when they are read.
+TEST(Png, LargeNoiseComesBack) {
+  Image image = make_image(1500, 1000);
+  std::mt19937 random(1);
+  for (float& value : image.rgb) value = static_cast<float>(random() % 65536) / 65535.0f;
+  const std::vector<std::byte> file = encode_png(image, {}, 16, Rounding::nearest);
+  EXPECT_GT(file.size(), std::size_t{8} << 20);
+  EXPECT_EQ(decode_png(file, "x.png").image, image);
 }
 
 TEST(Png, TheRoundingIsTheOneAskedFor) {

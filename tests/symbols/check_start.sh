@@ -11,6 +11,6 @@ for library in "${@:2}"; do
 done
 symbols=$(nm -C "$1")
 if ! grep -qF "penumbra::use_large_heap()" <<< "$symbols"; then
-  echo "the program does not call use_large_heap, which costs every start a hundred page faults"
+  echo "the program is made without use_large_heap, which costs every start a hundred page faults"
   exit 1
 fi

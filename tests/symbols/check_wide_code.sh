@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fails if the program has an instruction of a wide set anywhere but in the code of the kernel for it: AVX, AVX2 and BMI
-# in lanes8 and lanes16 alone, AVX-512 in lanes16 alone. One function of libdeflate, which asks the processor itself, may.
+# in lanes8 and lanes16 alone, AVX-512 in lanes16 alone. libdeflate asks the processor before it calls adler32_avx2.
 set -euo pipefail
 objdump -d -C --no-show-raw-insn "$1" | awk '
   /^[0-9a-f]+ </ { place = $0 }

@@ -37,7 +37,13 @@ bool asked_for_large_pages(const void* memory) {
   return false;
 }
 
+bool is_limited(int resource) {
+  rlimit limit{};
+  return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 TEST(LargeHeap, BlocksLieInLargePages) {
+  if (is_limited(RLIMIT_AS) || is_limited(RLIMIT_DATA)) GTEST_SKIP() << "memory is limited here";
   if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP() << "a kernel without large pages";
   use_large_heap();
   std::vector<std::unique_ptr<char[]>> blocks;

@@ -41,20 +41,17 @@ def render(penumbra, scene, *options, file="out.png"):
             return json.load(file)
 
 
-def whole_seconds(penumbra, scene):
-    """What a process takes from its start to its end that writes the picture and no other file."""
+def timed_run(penumbra, scene, *options):
+    """The seconds from start to end of a process that writes the picture and no other file, and what it prints."""
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        run_once(penumbra, scene, os.path.join(folder, "out.png"))
-        return time.perf_counter() - start
+        printed = run_once(penumbra, scene, os.path.join(folder, "out.png"), *options)
+        return time.perf_counter() - start, printed
 
 
 def rendering_and_rest(penumbra, scene):
-    """What a process takes to render, and what for all else: its statistics go into a pipe, so that there is one file."""
-    with tempfile.TemporaryDirectory() as folder:
-        start = time.perf_counter()
-        stats = run_once(penumbra, scene, os.path.join(folder, "out.png"), "--stats", "/dev/stdout")
-        whole = time.perf_counter() - start
+    """The seconds a process takes to render, and those for all else, to print its statistics included."""
+    whole, stats = timed_run(penumbra, scene, "--stats", "/dev/stdout")
     rendering = json.loads(stats)["render_seconds"]
     return rendering, whole - rendering
 
@@ -115,7 +112,7 @@ def compare_with_prototype(penumbra, peers, turns):
             for scene in PROTOTYPE_SCENES:
                 path = os.path.join(peers, f"proto-{scene}.cli")
                 # The prototype's figure is the best of several renders, and so is ours.
-                whole = min(whole_seconds(penumbra, path) for _ in range(RUNS_OF_A_TURN))
+                whole = min(timed_run(penumbra, path)[0] for _ in range(RUNS_OF_A_TURN))
                 rendering, rest = map(min, zip(*(rendering_and_rest(penumbra, path) for _ in range(RUNS_OF_A_TURN))))
                 turn_of[scene].append((theirs[scene], rendering, whole, rest))
     print(f"Whole processes against the hand-specialised prototype's rendering, 300x300, 100 rays, 1 thread, "

@@ -1,7 +1,6 @@
-// The heap's small pages come one by one, at 1 us each on a bare machine and at 16 us each on a virtual one, where a
-// large page comes in 150 us: a start touches a hundred small ones, a scene of 100,000 spheres 20,000. The C library
-// has a switch for this (glibc.malloc.hugetlb), but only in the environment; so its heap is grown here, before it is
-// used.
+// The heap's small pages come one by one, on a virtual machine at 16 us each, where a large page comes in 150 us: a
+// start touches a hundred small ones, a scene of 100,000 spheres 20,000. The C library has a switch for this
+// (glibc.malloc.hugetlb), but only in the environment; so its heap is grown here, before it is used.
 #include "base/large_heap.hpp"
 
 #include <fcntl.h>
@@ -10,14 +9,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 namespace penumbra {
 namespace {
 
-constexpr std::size_t large_page = std::size_t{2} << 20;
 constexpr int heap_bytes = 512 << 20;
 constexpr int largest_block = 32 << 20;  // of those that a full heap grows for: the most that the C library takes
 constexpr int usual_growth = 128 << 10;

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_heap.hpp"
+
 namespace penumbra {
 
 template <class T>
@@ -63,8 +65,7 @@ class ZeroedPages {
   bool operator==(const ZeroedPages&) const { return true; }
 
  private:
-  static constexpr std::size_t large_page = std::size_t{2} << 20;
-  // Below that, the heap's pages are large too (base/large_heap.hpp), and are used again.
+  // Below that, the heap's pages are large too, and are used again.
   static constexpr std::size_t fewest_bytes = 2 * large_page;
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };

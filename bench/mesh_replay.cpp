@@ -81,7 +81,7 @@ struct Render {
 };
 
 Render render(const Frame& frame, const Kernel& kernel, std::uint32_t rays) {
-  Film film({0, 0, frame.width, frame.height}, {}, SampleCounts::uniform);
+  Film film({0, 0, frame.settings.width, frame.settings.height}, {}, SampleCounts::uniform);
   RenderState state;
   const double start = now();
   const RayCounts counts = render_samples(film, frame, kernel, {film.crop(), {}, 1}, {0, rays}, state);
@@ -138,9 +138,9 @@ Frame frame_of(const char* path, std::uint32_t rays) {
   const SceneFile file = read_scene(path, {});
   for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(stderr, "{}", to_string(diagnostic));
   if (file.actions.empty()) throw std::runtime_error("no picture in this scene");
-  TracingOptions options;
-  options.rays_per_pixel = static_cast<int>(rays);
-  Frame frame = make_frame(*std::get<Picture>(file.actions.front()).scene, options, 1);
+  Scene scene = *std::get<Picture>(file.actions.front()).scene;
+  scene.settings.rays_per_pixel = static_cast<int>(rays);
+  Frame frame = make_frame(scene, 1);
   if (frame.world.meshes.empty()) throw std::runtime_error("no mesh in this scene that is large enough for Embree");
   return frame;
 }

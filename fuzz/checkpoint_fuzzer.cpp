@@ -29,9 +29,9 @@ std::unique_ptr<ResumableRender> render_for(std::uint8_t kind, const Frame& fram
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   Frame frame;
-  frame.width = 18;
-  frame.height = 10;
-  frame.options.rays_per_pixel = rays;
+  frame.settings.width = 18;
+  frame.settings.height = 10;
+  frame.settings.rays_per_pixel = rays;
   Kernel kernel{};
   kernel.render_pixels = [](const Frame&, const FilmView&, const PixelSamples&, RayCounts&) {};
   const std::unique_ptr<ResumableRender> render = render_for(data[0], frame, kernel);

@@ -102,12 +102,12 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   const auto row = [&](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", name, value);
   };
-  row("size", fmt::format("{} x {}", scene.width, scene.height));
-  row("rays", fmt::format("{} per pixel, depth {}, sampler {}, seed {}", scene.rays_per_pixel, scene.max_depth,
-                          scene.sampler.empty() ? "by default" : scene.sampler, scene.seed));
-  if (std::max({scene.reflection_rays, scene.transmission_rays, scene.shadow_rays}) > 1) {
-    row("first hits", fmt::format("{} reflection, {} transmission and {} shadow rays", scene.reflection_rays,
-                                  scene.transmission_rays, scene.shadow_rays));
+  row("size", fmt::format("{} x {}", scene.settings.width, scene.settings.height));
+  row("rays", fmt::format("{} per pixel, depth {}, sampler {}, seed {}", scene.settings.rays_per_pixel, scene.settings.max_depth,
+                          pattern_names[static_cast<int>(scene.settings.pattern)], scene.settings.seed));
+  if (std::max({scene.settings.reflection_rays, scene.settings.transmission_rays, scene.settings.shadow_rays}) > 1) {
+    row("first hits", fmt::format("{} reflection, {} transmission and {} shadow rays", scene.settings.reflection_rays,
+                                  scene.settings.transmission_rays, scene.settings.shadow_rays));
   }
   row("camera", describe_camera(scene.camera));
   row("background", triple(scene.background));

@@ -108,7 +108,7 @@ LensBlur lens_blur(const Scene& scene, double distance) {
   const double radius = camera.lens_radius * std::abs(distance - focus) / focus;
   const double half_view = std::tan(camera.fov_degrees * std::numbers::pi / 360);
   LensBlur blur{not_known, radius, not_known,
-                radius * std::min(scene.width, scene.height) / (2 * distance * half_view)};
+                radius * std::min(scene.settings.width, scene.settings.height) / (2 * distance * half_view)};
   if (knows_focal_length(camera)) {
     blur.image_distance = image_distance(focal_length, distance);
     blur.circle_of_confusion = focal_length / camera.f_number * focal_length * std::abs(focus - distance) /

@@ -5,11 +5,11 @@ namespace penumbra {
 const Frame& PatternPoints::frame_for(std::size_t count, std::uint32_t seed) {
   const auto found = frames_.find({count, seed});
   if (found != frames_.end()) return found->second;
-  TracingOptions options;
-  options.pattern = pattern_;
-  options.seed = seed;
-  options.rays_per_pixel = static_cast<int>(count);
-  return frames_.emplace(std::pair(count, seed), make_frame(Scene{}, options, 1)).first->second;
+  Scene scene;
+  scene.settings.pattern = pattern_;
+  scene.settings.seed = seed;
+  scene.settings.rays_per_pixel = static_cast<int>(count);
+  return frames_.emplace(std::pair(count, seed), make_frame(scene, 1)).first->second;
 }
 
 std::vector<PlanePoint> PatternPoints::points(std::size_t count, std::uint32_t seed, int x, int y) {

@@ -23,18 +23,18 @@ int check_before_rendering(const RenderOptions& options, const std::vector<Actio
       fmt::print(stderr, "penumbra: {}\n", missing);
       return exit_usage;
     }
-    if (options.crop && (options.crop->x1 > scene.width || options.crop->y1 > scene.height)) {
-      fmt::print(stderr, "penumbra: --crop goes beyond the picture, which has {}x{} pixels\n", scene.width,
-                 scene.height);
+    if (options.crop && (options.crop->x1 > scene.settings.width || options.crop->y1 > scene.settings.height)) {
+      fmt::print(stderr, "penumbra: --crop goes beyond the picture, which has {}x{} pixels\n", scene.settings.width,
+                 scene.settings.height);
       return exit_usage;
     }
     if (const auto& debug = options.debug_pixel;
-        debug && (debug->x >= scene.width || debug->y >= scene.height || debug->sample >= scene.rays_per_pixel)) {
+        debug && (debug->x >= scene.settings.width || debug->y >= scene.settings.height || debug->sample >= scene.settings.rays_per_pixel)) {
       fmt::print(stderr, "penumbra: --debug-pixel is not in the picture, which has {}x{} pixels with {} samples each\n",
-                 scene.width, scene.height, scene.rays_per_pixel);
+                 scene.settings.width, scene.settings.height, scene.settings.rays_per_pixel);
       return exit_usage;
     }
-    if (const Pattern pattern = pattern_for(scene, options); options.noise && needs_count(pattern)) {
+    if (const Pattern pattern = scene.settings.pattern; options.noise && needs_count(pattern)) {
       fmt::print(stderr,
                  "penumbra: --noise needs a sample pattern that can go on, and `{}` is made for one number of rays; "
                  "use --sampler {}\n",

@@ -174,12 +174,12 @@ class RenderRun {
   Job job_for(const Picture& picture, int number) const {
     Job job;
     job.scene = with_options(*picture.scene, options_);
-    job.plan.crop = options_.crop.value_or(Crop{0, 0, job.scene.width, job.scene.height});
+    job.plan.crop = options_.crop.value_or(Crop{0, 0, job.scene.settings.width, job.scene.settings.height});
     job.plan.layers = options_.layers;
     job.plan.threads = options_.threads > 0 ? options_.threads : default_thread_count();
     job.plan.shard = options_.sitting.shard.value_or(Shard{});
-    job.development = {job.scene.width,
-                       job.scene.height,
+    job.development = {job.scene.settings.width,
+                       job.scene.settings.height,
                        picture.rects,
                        metadata_for(options_.scene, job.scene, options_),
                        options_.exposure_halves,
@@ -215,7 +215,7 @@ class RenderRun {
   }
 
   std::unique_ptr<ResumableRender> render_for(const Frame& frame, const Kernel& kernel, const Plan& plan) const {
-    const auto rays = static_cast<std::uint32_t>(frame.options.rays_per_pixel);
+    const auto rays = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
     if (!options_.noise) {
       const bool in_passes = options_.sitting.has_end_in_mind() && !options_.sitting.shard;
       return std::make_unique<UniformRender>(frame, kernel, plan, rays, in_passes);
@@ -227,7 +227,7 @@ class RenderRun {
   bool render_picture(const Job& job, const std::vector<std::filesystem::path>& files) {
     const Plan& plan = job.plan;
     Clock::time_point start = Clock::now();
-    const Frame frame = make_frame(job.scene, tracing_options(job.scene, options_), plan.threads);
+    const Frame frame = make_frame(job.scene, plan.threads);
     stats_.build_seconds += seconds_since(start);
     const Kernel& kernel = options_.kernel ? *options_.kernel : *usable_kernels().back();
     if (options_.debug_pixel) {
@@ -240,7 +240,7 @@ class RenderRun {
     RenderState state;
     bool finished = false;
     {
-      const std::uint64_t samples = pixels * static_cast<std::uint64_t>(job.scene.rays_per_pixel);
+      const std::uint64_t samples = pixels * static_cast<std::uint64_t>(job.scene.settings.rays_per_pixel);
       const Progress progress(options_.quiet ? ProgressStyle::none : options_.progress, state, samples);
       const double cpu_start = cpu_seconds();
       finished = sitting_.run(*render, job.key, state);
@@ -249,7 +249,7 @@ class RenderRun {
     note(frame, kernel, plan);
     if (render->unfinished_pixels() > 0 && !options_.quiet) {
       fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
-                 render->unfinished_pixels(), pixels, job.scene.rays_per_pixel, *options_.noise);
+                 render->unfinished_pixels(), pixels, job.scene.settings.rays_per_pixel, *options_.noise);
     }
 
     start = Clock::now();
@@ -295,7 +295,7 @@ class RenderRun {
 
   static void print_rays(const Frame& frame, const Kernel& kernel, const DebugPixel& pixel) {
     const auto sample = static_cast<std::uint32_t>(pixel.sample);
-    const auto count = static_cast<std::uint32_t>(frame.options.rays_per_pixel);
+    const auto count = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
     const RayTree tree = trace_sample(frame, kernel, pixel.x, pixel.y, sample, count);
     fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
   }
@@ -308,11 +308,11 @@ class RenderRun {
     stats_.threads = plan.threads;
     stats_.lanes = kernel.lanes;
     stats_.isa = kernel.isa;
-    stats_.sampler = pattern_names[static_cast<int>(frame.options.pattern)];
-    stats_.seed = frame.options.seed;
+    stats_.sampler = pattern_names[static_cast<int>(frame.settings.pattern)];
+    stats_.seed = frame.settings.seed;
     stats_.noise = options_.noise;
-    stats_.width = frame.width;
-    stats_.height = frame.height;
+    stats_.width = frame.settings.width;
+    stats_.height = frame.settings.height;
     stats_.shapes = frame.world.shape_count;
     stats_.triangles = frame.world.triangle_count;
     stats_.instances = frame.world.instance_count;

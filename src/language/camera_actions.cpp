@@ -65,12 +65,12 @@ void shutter(Reading& reading, const Call& call) {
   camera.shutter_close = call[1];
 }
 
-void rays_per_pixel(Reading& reading, const Call& call) { reading.builder.change().rays_per_pixel = call.whole(0); }
+void rays_per_pixel(Reading& reading, const Call& call) { reading.builder.change().settings.rays_per_pixel = call.whole(0); }
 
 void sampler(Reading& reading, const Call& call) {
   const std::string_view name = call.word(0);
-  if (pattern_from_name(name)) {
-    reading.builder.change().sampler = name;
+  if (const std::optional<Pattern> pattern = pattern_from_name(name)) {
+    reading.builder.change().settings.pattern = *pattern;
     return;
   }
   reading.diagnostics.error(
@@ -79,16 +79,16 @@ void sampler(Reading& reading, const Call& call) {
       did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
 
-void seed(Reading& reading, const Call& call) { reading.builder.change().seed = static_cast<std::uint32_t>(call[0]); }
+void seed(Reading& reading, const Call& call) { reading.builder.change().settings.seed = static_cast<std::uint32_t>(call[0]); }
 
-void max_depth(Reading& reading, const Call& call) { reading.builder.change().max_depth = call.whole(0); }
+void max_depth(Reading& reading, const Call& call) { reading.builder.change().settings.max_depth = call.whole(0); }
 
-void reflection_rays(Reading& reading, const Call& call) { reading.builder.change().reflection_rays = call.whole(0); }
+void reflection_rays(Reading& reading, const Call& call) { reading.builder.change().settings.reflection_rays = call.whole(0); }
 
 void transmission_rays(Reading& reading, const Call& call) {
-  reading.builder.change().transmission_rays = call.whole(0);
+  reading.builder.change().settings.transmission_rays = call.whole(0);
 }
 
-void shadow_rays(Reading& reading, const Call& call) { reading.builder.change().shadow_rays = call.whole(0); }
+void shadow_rays(Reading& reading, const Call& call) { reading.builder.change().settings.shadow_rays = call.whole(0); }
 
 }  // namespace penumbra::actions

@@ -4,6 +4,7 @@
 
 #include "language/actions.hpp"
 #include "language/command.hpp"
+#include "scene/settings.hpp"
 
 namespace penumbra {
 namespace {
@@ -41,9 +42,9 @@ constexpr Argument field = {.name = "degrees", .low = 0, .high = 180, .above_low
 constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
 constexpr Argument name = {.name = "name", .kind = Kind::name};
-constexpr Argument pixels_w = whole("w", 1, 65536), pixels_h = whole("h", 1, 65536);
-constexpr Argument rays = whole("n", 1, 16777216), depth = whole("n", 0, 100), any_seed = whole("n", 0, 4294967295.0);
-constexpr Argument rays_each = whole("n", 1, 65536);
+constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
+constexpr Argument rays = whole("n", 1, most_rays), depth = whole("n", 0, most_depth), any_seed = whole("n", 0, 4294967295.0);
+constexpr Argument rays_each = whole("n", 1, most_hit_rays);
 
 constexpr double far_pixel = 1 << 30;
 constexpr Argument px0 = whole("x0", -far_pixel, far_pixel), py0 = whole("y0", -far_pixel, far_pixel);

@@ -8,8 +8,6 @@
 namespace penumbra::actions {
 namespace {
 
-constexpr double most_pixels = 1 << 28;
-
 void take_picture(Reading& reading, const Call& call, std::string file) {
   const Complaint wrong = reading.builder.add_picture(std::move(file));
   if (!wrong.empty()) return reading.diagnostics.error(call.place(), wrong);
@@ -29,8 +27,8 @@ void image_size(Reading& reading, const Call& call) {
                                                  call.whole(0), call.whole(1), most_pixels));
   }
   Scene& scene = reading.builder.change();
-  scene.width = call.whole(0);
-  scene.height = call.whole(1);
+  scene.settings.width = call.whole(0);
+  scene.settings.height = call.whole(1);
 }
 
 void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.word(0))); }

@@ -1,6 +1,26 @@
 #include "picture/effect.hpp"
 
 namespace penumbra {
+namespace {
+
+// Calls `set(index, radius)` for every thing that a radius is of.
+template <class Set>
+void for_each_meant(const std::vector<NumberedRadius>& radii, std::size_t count, const Set& set) {
+  for (const NumberedRadius& wanted : radii) {
+    for (std::size_t i = 0; i < count; i++) {
+      if (wanted.number == 0 || static_cast<std::size_t>(wanted.number) == i + 1) set(i, wanted.radius);
+    }
+  }
+}
+
+void set_radii(std::vector<Surface>& surfaces, const std::vector<NumberedRadius>& radii, double Surface::*share,
+               double Surface::*radius) {
+  for_each_meant(radii, surfaces.size(), [&](std::size_t i, double wanted) {
+    if (surfaces[i].*share != 0) surfaces[i].*radius = wanted;
+  });
+}
+
+}  // namespace
 
 std::optional<Effect> effect_from_name(std::string_view name) {
   for (int i = 0; i < effect_count; i++) {
@@ -17,6 +37,31 @@ std::string to_string(Effects effects) {
     text += effect_names[i];
   }
   return text;
+}
+
+void set_gloss(Scene& scene, const std::vector<NumberedRadius>& radii) {
+  set_radii(scene.surfaces, radii, &Surface::reflection, &Surface::gloss_radius);
+}
+
+void set_blur(Scene& scene, const std::vector<NumberedRadius>& radii) {
+  set_radii(scene.surfaces, radii, &Surface::transmission, &Surface::blur_radius);
+}
+
+void set_disk_radius(Scene& scene, const std::vector<NumberedRadius>& radii) {
+  for_each_meant(radii, scene.lights.size(), [&](std::size_t i, double wanted) {
+    if (auto* disk = std::get_if<DiskLight>(&scene.lights[i])) disk->radius = wanted;
+  });
+}
+
+void leave_out(Scene& scene, Effects effects) {
+  Camera& camera = scene.camera;
+  const std::vector<NumberedRadius> none = {{0, 0.0}};
+  if (effects.has(Effect::antialiasing)) scene.settings.antialiasing = false;
+  if (effects.has(Effect::lens)) camera.lens_radius = 0;
+  if (effects.has(Effect::motion)) camera.shutter_close = camera.shutter_open;
+  if (effects.has(Effect::disk_lights)) set_disk_radius(scene, none);
+  if (effects.has(Effect::gloss)) set_gloss(scene, none);
+  if (effects.has(Effect::translucency)) set_blur(scene, none);
 }
 
 }  // namespace penumbra

@@ -1,11 +1,14 @@
-// The six effects that come from one mechanism, each of which a picture can do without: the lecture's "with and
-// without".
+// The six effects that come from one mechanism, each of which a picture can do without (the lecture's "with and
+// without"), and the radii that make four of them strong or weak.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/scene.hpp"
 
 namespace penumbra {
 
@@ -37,7 +40,23 @@ class Effects {
   std::uint32_t bits_ = 0;
 };
 
-// The names, parted by commas.
+// The names, separated by commas.
 std::string to_string(Effects effects);
+
+// The scene without these effects.
+void leave_out(Scene& scene, Effects effects);
+
+// The radius of one light or surface, counted from 1 in the order of the scene, or of all of them (0).
+struct NumberedRadius {
+  int number = 0;
+  double radius = 0;
+
+  bool operator==(const NumberedRadius&) const = default;
+};
+
+// Sets radii in their order: of the surfaces that reflect, of those that transmit, of the disk lights.
+void set_gloss(Scene& scene, const std::vector<NumberedRadius>& radii);
+void set_blur(Scene& scene, const std::vector<NumberedRadius>& radii);
+void set_disk_radius(Scene& scene, const std::vector<NumberedRadius>& radii);
 
 }  // namespace penumbra

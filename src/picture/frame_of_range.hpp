@@ -1,7 +1,16 @@
-// One frame of an animation, and how its own time lies in the time of the whole.
+// The frames of an animation, and how the time of one of them lies in the time of the whole.
 #pragma once
 
 namespace penumbra {
+
+inline constexpr int last_possible_frame = 999'999;
+
+// Frames first, first + step, ... of an animation that runs from `first` to `last`.
+struct FrameRange {
+  int first = 0, last = 0, step = 1;
+
+  bool operator==(const FrameRange&) const = default;
+};
 
 struct FrameOfRange {
   int first = 0, last = 0;  // of the animation

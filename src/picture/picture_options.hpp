@@ -1,10 +1,9 @@
-// What can be asked of a picture beside its scene, on the command line or in the window, and the scene and the tracing
-// options that come of it. Every option has the same name on the command line and in a picture's metadata.
+// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of it.
+// option_table.hpp has a row for each of them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,31 +12,23 @@
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 #include "scene/scene.hpp"
-#include "tracing/frame.hpp"
 
 namespace penumbra {
 
-// The radius of one light or surface, counted from 1 in the order of the scene, or of all of them (0).
-struct NumberedRadius {
-  int number = 0;
-  double radius = 0;
-
-  bool operator==(const NumberedRadius&) const = default;
-};
-
 // Options left out are empty: the scene's own word counts then.
 struct PictureOptions {
+  std::optional<std::pair<int, int>> size;
   std::optional<int> rays, max_depth;
   std::optional<int> reflection_rays, transmission_rays, shadow_rays;
-  std::optional<std::uint32_t> seed;
   std::optional<Pattern> sampler;
-  std::optional<std::pair<int, int>> size;
+  std::optional<std::uint32_t> seed;
   std::optional<Crop> crop;
-  std::optional<double> time;
-  std::optional<FrameOfRange> frame;  // `shutter` and `time` are then in the frame's own time
-  std::optional<double> noise;        // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
-  std::optional<std::pair<double, double>> lens;     // radius, distance of the plane in focus
+  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> shutter;  // open, close
+  std::optional<double> time;
+  std::optional<FrameRange> frames;               // `shutter` and `time` are then in a frame's own time
+  std::optional<int> frame;                       // of these, this one alone
+  std::optional<std::pair<double, double>> lens;  // radius, distance of the plane in focus
   // Later ones win. Gloss is of surfaces that reflect, blur of those that transmit; numbers count all surfaces.
   std::vector<NumberedRadius> gloss, blur, disk_radius;
   Effects without;
@@ -45,8 +36,15 @@ struct PictureOptions {
   LensModel lens_model = LensModel::thin;
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;
   bool course = false, lenient = false;
+  Layers layers;  // beside the colour, in an EXR
+  int bits = 8;   // of each colour in a PNG
 
   SampleCounts sample_counts() const { return noise ? SampleCounts::per_pixel : SampleCounts::uniform; }
+  // The frame that is rendered; none of a still picture.
+  std::optional<FrameOfRange> frame_of_range() const {
+    if (!frames || !frame) return std::nullopt;
+    return FrameOfRange{frames->first, frames->last, *frame};
+  }
   bool operator==(const PictureOptions&) const = default;
 };
 
@@ -61,11 +59,5 @@ std::string missing_number(const Scene& scene, const PictureOptions& options);
 
 // The scene with what the options say in place of its own words.
 Scene with_options(Scene scene, const PictureOptions& options);
-
-// The course's pictures are of independent random samples, unless the options ask for others.
-Pattern pattern_for(const Scene& scene, const PictureOptions& options);
-
-// For a scene that with_options returned.
-TracingOptions tracing_options(const Scene& scene, const PictureOptions& options);
 
 }  // namespace penumbra

@@ -22,7 +22,7 @@ Crop whole_tiles(const Crop& crop, const Frame& frame) {
   const auto up = [](int v, int end) {
     return std::min((v + noise_tile_size - 1) / noise_tile_size * noise_tile_size, end);
   };
-  return {down(crop.x0), down(crop.y0), up(crop.x1, frame.width), up(crop.y1, frame.height)};
+  return {down(crop.x0), down(crop.y0), up(crop.x1, frame.settings.width), up(crop.y1, frame.settings.height)};
 }
 
 // What the pixels of a crop see, in a picture of this size.
@@ -50,7 +50,7 @@ struct AdaptiveRender::Thread {
 AdaptiveRender::AdaptiveRender(const Frame& frame, const Kernel& kernel, const Plan& plan, const NoiseGoal& goal)
     : plan_(plan),
       wanted_(whole_tiles(plan.crop, frame)),
-      grid_(with_neighbours(wanted_, frame.width, frame.height), noise_tile_size),
+      grid_(with_neighbours(wanted_, frame.settings.width, frame.settings.height), noise_tile_size),
       film_(grid_.window(), plan.layers, SampleCounts::per_pixel),
       frame_(frame),
       kernel_(kernel),
@@ -212,7 +212,7 @@ void AdaptiveRender::refine(int index, Thread& thread, RenderState& state) {
     refinement = *tile.refinement;
   } else {
     const Crop pixels = grid_.tile(index);
-    refinement.begin(pixels, with_neighbours(pixels, frame_.width, frame_.height),
+    refinement.begin(pixels, with_neighbours(pixels, frame_.settings.width, frame_.settings.height),
                      [this](int x, int y) { return noise_[pixel_at(x, y)]; });
   }
   const TileRefinement::Place place{film_, frame_, kernel_, rules_};

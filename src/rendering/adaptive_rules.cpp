@@ -32,7 +32,7 @@ int level_of_first_round(const NoiseGoal& goal, const Frame& frame, int most_lev
 
 AdaptiveRules::AdaptiveRules(const NoiseGoal& goal, const Frame& frame)
     : goal_squared(goal.error * goal.error),
-      rates(frame.options.pattern == Pattern::random ? rates_of_independent_samples : rates_of_nets),
+      rates(frame.settings.pattern == Pattern::random ? rates_of_independent_samples : rates_of_nets),
       most_level(static_cast<int>(std::bit_width(goal.most_rays)) - 1),
       first_level(level_of_first_round(goal, frame, most_level)) {}
 

@@ -13,12 +13,12 @@ constexpr double rays_at_once = 1 << 19;
 double rays_of_sample(const Frame& frame) {
   double at_eye = 1, deeper = 1;
   for (const FrameLight& light : frame.lights) {
-    at_eye += light.kind == LightKind::disk ? frame.options.shadow_rays : 1;
+    at_eye += light.kind == LightKind::disk ? frame.settings.shadow_rays : 1;
     deeper += 1;
   }
-  const TracingOptions& options = frame.options;
-  const double branches = options.max_depth > 0 ? options.reflection_rays + options.transmission_rays : 0;
-  return at_eye + branches * deeper * std::min(options.max_depth, 4);
+  const Settings& settings = frame.settings;
+  const double branches = settings.max_depth > 0 ? settings.reflection_rays + settings.transmission_rays : 0;
+  return at_eye + branches * deeper * std::min(settings.max_depth, 4);
 }
 
 }  // namespace

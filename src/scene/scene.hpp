@@ -15,11 +15,9 @@
 
 #include "base/vec.hpp"
 #include "base/zeroed_pages.hpp"
+#include "scene/settings.hpp"
 
 namespace penumbra {
-
-// The deepest recursion of rays that there is stack for.
-inline constexpr int most_depth = 100;
 
 using Color = Vec3;  // r, g, b; linear; 1 is the full output value, never clamped before the output
 
@@ -141,14 +139,7 @@ struct TriangleStore {
 struct Scene {
   Camera camera;
   Color background;
-  int width = 300;
-  int height = 300;
-  int rays_per_pixel = 1;
-  // How many rays the hit of an eye ray sends; shadow rays to each area light.
-  int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
-  int max_depth = 8;    // the eye ray has depth 0; at this depth no further ray is sent
-  std::string sampler;  // empty: the default of the program
-  std::uint32_t seed = 0;
+  Settings settings;
 
   std::vector<Light> lights;
   std::vector<Surface> surfaces;

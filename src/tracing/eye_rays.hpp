@@ -28,7 +28,7 @@ PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats
   if (camera.has_lens) {
     const DiskPoint lens = warp_to_disk(sampler.lens_place());
     const Float3 offset = broadcast3(camera.lens_u) * lens.x + broadcast3(camera.lens_v) * lens.y;
-    if (frame.options.lens_model == LensModel::cone) {
+    if (frame.settings.lens_model == LensModel::cone) {
       rays.direction = normalize(rays.direction);
       rays.direction = cone_direction(frame, rays, offset, active);
     } else {

@@ -21,14 +21,15 @@ Axes axes_around(Vec3 n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
-FrameCamera make_camera(const Scene& scene, const TracingOptions& options) {
+FrameCamera make_camera(const Scene& scene) {
   const Camera& c = scene.camera;
+  const Settings& settings = scene.settings;
   FrameCamera camera{};
-  const double scale = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360) / std::min(scene.width, scene.height);
+  const double scale = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360) / std::min(settings.width, settings.height);
   set3(camera.eye, c.eye);
   set3(camera.per_x, c.right * scale);
   set3(camera.per_y, c.up * -scale);
-  set3(camera.corner, c.right * (-0.5 * scene.width * scale) + c.up * (0.5 * scene.height * scale) - c.back);
+  set3(camera.corner, c.right * (-0.5 * settings.width * scale) + c.up * (0.5 * settings.height * scale) - c.back);
   set3(camera.view, -normalize(c.back));
   camera.has_lens = c.lens_radius > 0;
   if (camera.has_lens) {
@@ -38,9 +39,9 @@ FrameCamera make_camera(const Scene& scene, const TracingOptions& options) {
   camera.focus_distance = static_cast<float>(c.focus_distance);
   camera.shutter_open = static_cast<float>(c.shutter_open);
   camera.shutter_length = static_cast<float>(c.shutter_close - c.shutter_open);
-  const bool one_place = options.rays_per_pixel <= 1 || !options.antialiasing;
+  const bool one_place = settings.rays_per_pixel <= 1 || !settings.antialiasing;
   camera.pixel_width = one_place ? 0.0f : 1.0f;
-  camera.pixel_offset = options.course ? (one_place ? 0.0f : -0.5f) : (one_place ? 0.5f : 0.0f);
+  camera.pixel_offset = settings.course ? (one_place ? 0.0f : -0.5f) : (one_place ? 0.5f : 0.0f);
   return camera;
 }
 
@@ -111,18 +112,19 @@ double largest_color(const Scene& scene) {
 
 }  // namespace
 
-Frame make_frame(const Scene& scene, const TracingOptions& options, int threads) {
+Frame make_frame(const Scene& scene, int threads) {
   WorldOptions world_options;
   world_options.shutter_open = scene.camera.shutter_open;
   world_options.shutter_close = scene.camera.shutter_close;
   world_options.threads = threads;
-  return make_frame(scene, options, build_world(scene, world_options));
+  return make_frame(scene, build_world(scene, world_options));
 }
 
-Frame make_frame(const Scene& scene, const TracingOptions& options, World world) {
+Frame make_frame(const Scene& scene, World world) {
+  const Settings& settings = scene.settings;
   Frame frame;
   frame.world = std::move(world);
-  frame.camera = make_camera(scene, options);
+  frame.camera = make_camera(scene);
   set3(frame.background, scene.background);
   bool any_area = false;
   for (const Light& light : scene.lights) {
@@ -131,14 +133,12 @@ Frame make_frame(const Scene& scene, const TracingOptions& options, World world)
     any_area |= added.kind == LightKind::disk;
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
-  frame.options = options;
+  frame.settings = settings;
   const auto size = [](int count) { return static_cast<std::uint32_t>(count); };
-  frame.tables = make_sample_tables(options.pattern,
-                                    {size(options.rays_per_pixel), size(options.reflection_rays),
-                                     size(options.transmission_rays), size(options.shadow_rays)},
-                                    options.seed);
-  frame.width = scene.width;
-  frame.height = scene.height;
+  frame.tables = make_sample_tables(settings.pattern,
+                                    {size(settings.rays_per_pixel), size(settings.reflection_rays),
+                                     size(settings.transmission_rays), size(settings.shadow_rays)},
+                                    settings.seed);
   frame.color_quantum = quantum_for(largest_color(scene));
   double reach = max_component(abs(scene.camera.eye));
   for (const Leaf& leaf : frame.world.leaves) reach = std::max(reach, double{leaf.magnitude});

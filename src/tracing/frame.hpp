@@ -8,25 +8,8 @@
 #include "geometry/world.hpp"
 #include "sampling/sample_tables.hpp"
 #include "scene/scene.hpp"
-#include "tracing/lens_model.hpp"
 
 namespace penumbra {
-
-// Options that change the light transport and not the scene.
-struct TracingOptions {
-  Pattern pattern = default_pattern;
-  std::uint32_t seed = 0;
-  int max_depth = 8;
-  int rays_per_pixel = 1;
-  // How many rays the hit of an eye ray sends: reflected, transmitted, to each area light. Deeper hits send one.
-  int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
-  bool regular_lights = false;  // area lights are sampled at a fixed regular set
-  bool course = false;          // the course's pixel corners
-  bool antialiasing = true;     // else every ray goes through the place of a single one
-  bool shadows = true;
-  bool transparent_shadows = false;
-  LensModel lens_model = LensModel::thin;
-};
 
 // Direction of the ray through (x, y) in pixels from the top left: x * per_x + y * per_y + corner, not normalised.
 struct FrameCamera {
@@ -72,23 +55,21 @@ struct Frame {
   float background[3];
   std::vector<FrameLight> lights;
   std::vector<FrameSurface> surfaces;
-  TracingOptions options;
+  Settings settings;
   SampleTables tables;
-  int width = 0, height = 0;
   // Powers of two, 2^-quantum_bits of the largest sample: samples are rounded to whole multiples of these before they
   // are summed.
   double color_quantum = 0, depth_quantum = 0;
 
   PatternChoice pattern_choice() const {
-    return {options.pattern, static_cast<std::uint32_t>(options.rays_per_pixel), options.seed, &tables};
+    return {settings.pattern, static_cast<std::uint32_t>(settings.rays_per_pixel), settings.seed, &tables};
   }
 };
 
-// Compiles the scene for the given options; the world is built for the scene's shutter.
-// Throws std::runtime_error where build_world does.
-Frame make_frame(const Scene& scene, const TracingOptions& options, int threads);
+// Compiles the scene; the world is built for the scene's shutter. Throws std::runtime_error where build_world does.
+Frame make_frame(const Scene& scene, int threads);
 
 // The same with a world that was built for a scene of the same objects and the same shutter.
-Frame make_frame(const Scene& scene, const TracingOptions& options, World world);
+Frame make_frame(const Scene& scene, World world);
 
 }  // namespace penumbra

@@ -161,7 +161,7 @@ Pair points_in(const Sampler& sampler, std::uint32_t dimension) {
 
 void sample_points(const Frame& frame, int x, int y, std::uint32_t dimension, std::span<float> u, std::span<float> v) {
   const PixelSampler pixel(Ints(static_cast<std::uint32_t>(x)), Ints(static_cast<std::uint32_t>(y)),
-                           frame.options.seed);
+                           frame.settings.seed);
   const PatternChoice pattern = frame.pattern_choice();
   for (std::size_t i = 0; i < u.size(); i += lane_count) {
     const Sampler sampler(pattern, pixel, static_cast<std::uint32_t>(i), lane_count);

@@ -45,7 +45,7 @@ struct PacketRenderer {
   void render_wide(std::uint32_t first, std::uint32_t end) const {
     for (const PixelPlace& place : wanted.pixels) {
       const Ints column(place.x), row(place.y);
-      const PixelSampler pixel(place.x, place.y, frame.options.seed);
+      const PixelSampler pixel(place.x, place.y, frame.settings.seed);
       PixelSums sums;
       for (std::uint32_t index = first; index < end; index += lane_count) {
         add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
@@ -66,7 +66,7 @@ struct PacketRenderer {
         return gather(&(places.front().*coordinate), select(inside, pixel_of_lane, Ints(0u)) << 1);  // in words
       };
       const Ints column = of_pixels(&PixelPlace::x), row = of_pixels(&PixelPlace::y);
-      const PixelSampler pixel(column, row, frame.options.seed);
+      const PixelSampler pixel(column, row, frame.settings.seed);
       PixelSums sums;
       add_packet(pixel, column, row, first, samples, inside & samples_wanted(first, samples), sums);
       add_to_film(frame, film, places, sums, samples);

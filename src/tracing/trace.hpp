@@ -62,7 +62,7 @@ PENUMBRA_INLINE std::uint32_t rays_of_hit(int rays_of_first, TreePlace place) {
 // The two random numbers for area light `number`. The first one at the eye ray's hit has joint dimensions.
 PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, TreePlace place, RayOfHit ray) {
   const std::uint32_t dimension = step(place, step_light + number);
-  if (c.frame.options.regular_lights) {
+  if (c.frame.settings.regular_lights) {
     return ray.count > 1 ? c.sampler.regular_among(ray.number, ray.count, dimension) : c.sampler.regular(dimension);
   }
   if (ray.count > 1) return c.sampler.among(ray.number, ray.count).pair(dimension);
@@ -74,7 +74,7 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
 inline Floats visibility(const TraceContext& c, const Rays& to_light, Floats distance, Mask active) {
   const World& world = c.frame.world;
   c.counts.shadow += static_cast<std::uint64_t>(count(active));
-  if (!c.frame.options.transparent_shadows) {
+  if (!c.frame.settings.transparent_shadows) {
     return keep(active & ~occluded(world, to_light, distance, active), Floats(1));
   }
   Floats through = keep(active, Floats(1));
@@ -122,7 +122,7 @@ struct Normals {
 // The light that arrives from the lights.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
                            const Normals& normals, int depth, TreePlace place) {
-  const TracingOptions& options = c.frame.options;
+  const Settings& settings = c.frame.settings;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
   Rays shadow;
@@ -137,11 +137,11 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
     // From behind, the surface itself is in the way.
-    if (options.shadows && !options.transparent_shadows) {
+    if (settings.shadows && !settings.transparent_shadows) {
       lit &= (normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero;
     }
     Floats visible = Floats(1);
-    if (options.shadows && any(lit)) {
+    if (settings.shadows && any(lit)) {
       shadow.direction = sample.toward;
       shadow.coherent = light.kind != LightKind::disk && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
@@ -157,12 +157,12 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       reflected += material.specular * highlight(material, normals.shading, sample.toward, rays.direction);
     }
     reflected = reflected * sample.radiance;
-    return keep(lit, options.transparent_shadows ? reflected * visible : reflected);
+    return keep(lit, settings.transparent_shadows ? reflected * visible : reflected);
   };
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
     const bool has_area = c.frame.lights[number].kind == LightKind::disk;
-    const std::uint32_t points = has_area ? rays_of_hit(options.shadow_rays, place) : 1;
+    const std::uint32_t points = has_area ? rays_of_hit(settings.shadow_rays, place) : 1;
     for (std::uint32_t k = 0; k < points; k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
       const Float3 light_of_point = from_point(number, random);
@@ -226,7 +226,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   if (any(reflects)) {
     const Float3 mirror = normalize(reflect(rays.direction, facing));
     const Spreading spreading{mirror, material.any_gloss, material.gloss_radius, facing, step_gloss, step_reflection};
-    const std::uint32_t count = rays_of_hit(c.frame.options.reflection_rays, place);
+    const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
     if constexpr (records) c.recorder->announce(RayKind::reflection, reflection, count, depth);
     sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
     c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
@@ -234,7 +234,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   if (any(transmits)) {
     const Spreading spreading{refracted, material.any_blur, material.blur_radius,
                               -facing,   step_blur,         step_transmission};
-    const std::uint32_t count = rays_of_hit(c.frame.options.transmission_rays, place);
+    const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
     if constexpr (records) c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
     sum +=
         keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
@@ -269,7 +269,7 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   }
   if constexpr (records) c.recorder->surface(material.ambient, normals.shading, depth);
   Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, depth, place);
-  if (material.any_reflection && depth < c.frame.options.max_depth) {
+  if (material.any_reflection && depth < c.frame.settings.max_depth) {
     reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
   }
   color += keep(hits.found, reflected);

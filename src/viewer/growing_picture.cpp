@@ -5,7 +5,7 @@
 namespace penumbra {
 namespace {
 
-Film empty_film(const Scene& scene) { return Film({0, 0, scene.width, scene.height}, {}); }
+Film empty_film(const Scene& scene) { return Film({0, 0, scene.settings.width, scene.settings.height}, {}); }
 
 }  // namespace
 
@@ -14,26 +14,26 @@ GrowingPicture::GrowingPicture(const LoadedScene& loaded, const PictureOptions& 
       rects_(loaded.rects),
       scene_(std::make_shared<const Scene>(with_options(*loaded.scene, options))),
       film_(empty_film(*scene_)) {
-  TracingOptions tracing = tracing_options(*scene_, options);
-  tracing.rays_per_pixel = 1;
+  Scene first = *scene_;
+  first.settings.rays_per_pixel = 1;
   const Camera& camera = scene_->camera;
   if (world.serves(loaded.scene, camera)) {
-    frame_ = std::make_shared<const Frame>(make_frame(*scene_, tracing, world.frame->world));
+    frame_ = std::make_shared<const Frame>(make_frame(first, world.frame->world));
   } else {
-    frame_ = std::make_shared<const Frame>(make_frame(*scene_, tracing, threads));
+    frame_ = std::make_shared<const Frame>(make_frame(first, threads));
     world = {loaded.scene, camera.shutter_open, camera.shutter_close, frame_};
   }
 }
 
 bool GrowingPicture::needs_count() const {
-  return penumbra::needs_count(frame_->options.pattern) || frame_->options.regular_lights;
+  return penumbra::needs_count(frame_->settings.pattern) || frame_->settings.regular_lights;
 }
 
 std::shared_ptr<const Frame> GrowingPicture::frame_for(std::uint32_t count) const {
-  if (frame_->options.rays_per_pixel == static_cast<int>(count)) return frame_;
-  TracingOptions tracing = frame_->options;
-  tracing.rays_per_pixel = static_cast<int>(count);
-  return std::make_shared<const Frame>(make_frame(*scene_, tracing, frame_->world));
+  if (frame_->settings.rays_per_pixel == static_cast<int>(count)) return frame_;
+  Scene scene = *scene_;
+  scene.settings.rays_per_pixel = static_cast<int>(count);
+  return std::make_shared<const Frame>(make_frame(scene, frame_->world));
 }
 
 void GrowingPicture::prepare(const Pass& pass) {
@@ -60,7 +60,7 @@ void GrowingPicture::keep() {
 }
 
 RefinedSide GrowingPicture::side() const {
-  return {options_, scene_, frame_, develop_color(film_, {scene_->width, scene_->height, rects_, {}}), error_.error()};
+  return {options_, scene_, frame_, develop_color(film_, {scene_->settings.width, scene_->settings.height, rects_, {}}), error_.error()};
 }
 
 }  // namespace penumbra

@@ -91,7 +91,7 @@ std::string quoted(const std::string& text) {
 
 std::string command_for(const Refinement& picture, const RefinedSide& side, const InspectedSample& at) {
   Scene scene = *side.scene;
-  scene.rays_per_pixel = static_cast<int>(picture.rays);
+  scene.settings.rays_per_pixel = static_cast<int>(picture.rays);
   PictureOptions options = side.options;
   options.exposure_halves = 0;
   std::string command = "penumbra render " + quoted(picture.loaded->path.string());

@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> save_picture(const Refinement& picture, int e
   for (std::size_t i = 0; i < picture.sides.size(); i++) {
     const RefinedSide& side = picture.sides[i];
     Scene scene = *side.scene;
-    scene.rays_per_pixel = static_cast<int>(picture.rays);
+    scene.settings.rays_per_pixel = static_cast<int>(picture.rays);
     PictureOptions options = side.options;
     options.exposure_halves = exposure_halves;
     Image image = side.image;

@@ -209,7 +209,7 @@ void Session::focus(PlaceInWindow cursor) {
   const auto pixel = view_.pixel_at(cursor);
   if (!picture_ || !pixel || !loaded_) return say("F focuses at the cursor: point at the picture");
   const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
-  const double middle = frame.options.course ? 0.0 : 0.5;
+  const double middle = frame.settings.course ? 0.0 : 0.5;
   const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
   if (!distance) return say("there is nothing at the cursor to focus at");
   const double radius = knobs().lens_radius;
@@ -255,13 +255,13 @@ void Session::set_split(bool split) {
   if (!split) return;
   // Something to compare: independent random samples, or what is usual instead of them.
   sides_[1] = sides_[0];
-  const bool random = loaded_ && pattern_for(*loaded_->scene, sides_[0]) == Pattern::random;
+  const bool random = loaded_ && sampler(0) == Pattern::random;
   sides_[1].sampler = random ? default_pattern : Pattern::random;
 }
 
 void Session::change_rays(bool more) {
   if (!loaded_) return;
-  const auto now = limit_ > 0 ? limit_ : static_cast<std::uint32_t>(loaded_->scene->rays_per_pixel);
+  const auto now = limit_ > 0 ? limit_ : static_cast<std::uint32_t>(loaded_->scene->settings.rays_per_pixel);
   set_limit(more ? std::min(now * 2, 1u << 24) : std::max(now / 2, 1u));
 }
 
@@ -279,8 +279,8 @@ Knobs Session::knobs() const {
           camera.focus_distance,
           camera.shutter_open,
           camera.shutter_close,
-          scene.seed,
-          scene.max_depth,
+          scene.settings.seed,
+          scene.settings.max_depth,
           limit_};
 }
 

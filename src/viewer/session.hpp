@@ -64,7 +64,7 @@ class Session {
   void forget_changes();
   // With the options of one side.
   Scene changed_scene(int side) const { return with_options(*loaded_->scene, options(side)); }
-  Pattern sampler(int side) const { return pattern_for(*loaded_->scene, options(side)); }
+  Pattern sampler(int side) const { return changed_scene(side).settings.pattern; }
   const PictureOptions& options(int side) const { return sides_[static_cast<std::size_t>(side)]; }
 
   // What to draw.

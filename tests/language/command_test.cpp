@@ -167,12 +167,12 @@ TEST(Camera, takesAllItsCommands) {
   EXPECT_EQ(scene.camera.focus_distance, 6);
   EXPECT_EQ(scene.camera.shutter_open, .25);
   EXPECT_EQ(scene.camera.shutter_close, .75);
-  EXPECT_EQ(scene.rays_per_pixel, 64);
-  EXPECT_EQ(scene.width, 640);
-  EXPECT_EQ(scene.height, 480);
+  EXPECT_EQ(scene.settings.rays_per_pixel, 64);
+  EXPECT_EQ(scene.settings.width, 640);
+  EXPECT_EQ(scene.settings.height, 480);
   EXPECT_EQ(scene.sampler, "sobol");
-  EXPECT_EQ(scene.seed, 4294967295u);
-  EXPECT_EQ(scene.max_depth, 3);
+  EXPECT_EQ(scene.settings.seed, 4294967295u);
+  EXPECT_EQ(scene.settings.max_depth, 3);
   EXPECT_EQ(scene_of(light + ball + "sampler random").sampler, "random");
   EXPECT_EQ(scene_of(light + ball + "lens 0 0").camera.lens_radius, 0);
 }
@@ -220,11 +220,11 @@ TEST(Camera, hasTheDefaultsOfTheLanguage) {
   EXPECT_EQ(scene.camera.lens_radius, 0);
   EXPECT_EQ(scene.camera.shutter_open, 0);
   EXPECT_EQ(scene.camera.shutter_close, 1);
-  EXPECT_EQ(scene.rays_per_pixel, 1);
-  EXPECT_EQ(scene.width, 300);
-  EXPECT_EQ(scene.height, 300);
+  EXPECT_EQ(scene.settings.rays_per_pixel, 1);
+  EXPECT_EQ(scene.settings.width, 300);
+  EXPECT_EQ(scene.settings.height, 300);
   EXPECT_EQ(scene.sampler, "");
-  EXPECT_EQ(scene.max_depth, 8);
+  EXPECT_EQ(scene.settings.max_depth, 8);
 }
 
 TEST(Camera, isNotMovedByTheMatrix) {

@@ -76,9 +76,9 @@ TEST(Expression, standsWhereverANumberDoes) {
   const Scene scene = scene_of("image_size {10*frame} {20 + frame}\nrays_per_pixel {frame+1}\n" + light +
                                    "sphere {t} {frame} 0 -4\nmoving_object 0 {2*t} 0 # {not read}\n",
                                options);
-  EXPECT_EQ(scene.width, 30);
-  EXPECT_EQ(scene.height, 23);
-  EXPECT_EQ(scene.rays_per_pixel, 4);
+  EXPECT_EQ(scene.settings.width, 30);
+  EXPECT_EQ(scene.settings.height, 23);
+  EXPECT_EQ(scene.settings.rays_per_pixel, 4);
   EXPECT_EQ(scene.root.objects.at(0).motion.y, 1);
   const std::string corner = "begin\nvertex {t} 0 0\nvertex 1 {frame} 0\nvertex 0 1 {t - 1}\nend\n";
   EXPECT_EQ(corners(scene_of(light + corner, options), 0).at(2).z, -0.5);

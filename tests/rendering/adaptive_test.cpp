@@ -27,10 +27,10 @@ struct AdaptivePicture {
 };
 
 AdaptivePicture render_noise(Scene scene, const NoiseGoal& goal, const RenderSettings& settings = {}) {
-  scene.rays_per_pixel = static_cast<int>(goal.most_rays);
+  scene.settings.rays_per_pixel = static_cast<int>(goal.most_rays);
   const Frame frame = frame_from(scene, settings);
   Plan plan;
-  plan.crop = settings.crop.value_or(Crop{0, 0, scene.width, scene.height});
+  plan.crop = settings.crop.value_or(Crop{0, 0, scene.settings.width, scene.settings.height});
   plan.layers = settings.layers;
   plan.threads = settings.threads;
   Film film(plan.crop, plan.layers, SampleCounts::per_pixel);
@@ -47,8 +47,8 @@ AdaptivePicture render_noise(const std::string& text, const NoiseGoal& goal, con
 // Many rays, of another seed.
 ZeroedVector<float> converged(const std::string& text, int rays) {
   Scene scene = scene_from(text);
-  scene.rays_per_pixel = rays;
-  scene.seed = 12345;
+  scene.settings.rays_per_pixel = rays;
+  scene.settings.seed = 12345;
   return render_scene(scene).color;
 }
 
@@ -169,7 +169,7 @@ TEST(Adaptive, IsWhatPixelsOneByOneGive) {
     for (const float error : {0.02f, 0.005f}) {
       const NoiseGoal goal{error, 1024};
       Scene scene = scene_from(text);
-      scene.rays_per_pixel = static_cast<int>(goal.most_rays);
+      scene.settings.rays_per_pixel = static_cast<int>(goal.most_rays);
       const Film expected = pixel_by_pixel(scene, goal);
       const Film film = render_noise(scene, goal).film;
       const ZeroedVector<float> samples = film.pixel_samples();
@@ -349,7 +349,7 @@ TEST(Adaptive, TheVarianceIsHonest) {
     }
   }
   Scene scene = scene_from(shadow_text(width, height));
-  scene.rays_per_pixel = 64;
+  scene.settings.rays_per_pixel = 64;
   RenderSettings settings;
   settings.layers.variance = true;
   const Picture3 uniform = render_scene(scene, settings);
@@ -377,7 +377,7 @@ TEST(Adaptive, TheMostRays) {
 
 TEST(Adaptive, StopEndsIt) {
   Scene scene = scene_from(shadow_text(32, 24));
-  scene.rays_per_pixel = 1 << 16;
+  scene.settings.rays_per_pixel = 1 << 16;
   const Frame frame = frame_from(scene);
   const Plan plan{{0, 0, 32, 24}, {}, 2};
   Film film(plan.crop, plan.layers, SampleCounts::per_pixel);

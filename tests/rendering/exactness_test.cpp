@@ -84,7 +84,7 @@ TEST(Exactness, PassesDoNotShow) {
       settings.kernel = kernel;
       const AllValues at_once = values_of(render_scene(scene, settings).film);
       const Frame frame = frame_from(scene, settings);
-      const Plan plan{{0, 0, scene.width, scene.height}, all_layers, 2};
+      const Plan plan{{0, 0, scene.settings.width, scene.settings.height}, all_layers, 2};
       for (const std::vector<std::uint32_t>& cuts :
            {std::vector<std::uint32_t>{1, 2, 3, 4}, {1}, {16}, {5, 6, 19}, {8, 16, 17}, {rays - 1}}) {
         Film film(plan.crop, plan.layers);
@@ -197,7 +197,7 @@ TEST(Exactness, ABlackPointLightInFrontDoesNotShow) {
 TEST(Exactness, StoppedRendersLeaveTheSampleCount) {
   const Scene scene = scene_from(scene_text(4));
   const Frame frame = frame_from(scene);
-  const Plan plan{{0, 0, scene.width, scene.height}, {}, 2};
+  const Plan plan{{0, 0, scene.settings.width, scene.settings.height}, {}, 2};
   Film film(plan.crop, plan.layers);
   RenderState state;
   state.stop = true;

@@ -30,7 +30,7 @@ std::array<float, 3> color_of(const RecordedRay& ray) { return {ray.came_back[0]
 
 void check_tree(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample) {
   const RayTree tree =
-      trace_sample(frame, kernel, x, y, sample, static_cast<std::uint32_t>(frame.options.rays_per_pixel));
+      trace_sample(frame, kernel, x, y, sample, static_cast<std::uint32_t>(frame.settings.rays_per_pixel));
   ASSERT_FALSE(tree.rays.empty());
   EXPECT_EQ(tree.left_out, 0u);
   EXPECT_EQ(tree.rays.front().kind, RayKind::eye);
@@ -50,8 +50,8 @@ void check_tree(const Frame& frame, const Kernel& kernel, int x, int y, std::uin
 TEST(RayTree, SumIsTheSampleInTheFilm) {
   for (const Kernel* kernel : usable_kernels()) {
     const Frame frame = test::frame_from(test::scene_from(test::scene_text(8)));
-    for (int y = 3; y < frame.height; y += 7) {
-      for (int x = 2; x < frame.width; x += 5) {
+    for (int y = 3; y < frame.settings.height; y += 7) {
+      for (int x = 2; x < frame.settings.width; x += 5) {
         for (const std::uint32_t sample : {0u, 1u, 5u}) check_tree(frame, *kernel, x, y, sample);
       }
     }
@@ -74,13 +74,13 @@ sphere 50 0 -51 -5
 TEST(RayTree, SeveralRaysOfAHit) {
   const Frame frame =
       test::frame_from(test::scene_from(hall + "reflection_rays 3\ntransmission_rays 2\nshadow_rays 4\n"));
-  for (int x = 0; x < frame.width; x += 3) check_tree(frame, *usable_kernels().back(), x, 9, 2);
+  for (int x = 0; x < frame.settings.width; x += 3) check_tree(frame, *usable_kernels().back(), x, 9, 2);
 }
 
 TEST(RayTree, LightThatPassesAndNoShadows) {
   for (const bool shadows : {true, false}) {
     const Frame frame = test::frame_from(test::scene_from(hall), {.shadows = shadows, .transparent_shadows = true});
-    for (int x = 0; x < frame.width; x += 3) check_tree(frame, *usable_kernels().back(), x, 9, 2);
+    for (int x = 0; x < frame.settings.width; x += 3) check_tree(frame, *usable_kernels().back(), x, 9, 2);
   }
 }
 

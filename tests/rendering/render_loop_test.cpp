@@ -31,7 +31,7 @@ CallCounts calls_of(const Work& work) {
   return {after.allocations - before.allocations, after.locks - before.locks};
 }
 
-Crop full(const Scene& scene) { return {0, 0, scene.width, scene.height}; }
+Crop full(const Scene& scene) { return {0, 0, scene.settings.width, scene.settings.height}; }
 
 // A frame for both a small picture and one of four times the tiles, which is all of it.
 struct Setting {
@@ -43,7 +43,7 @@ struct Setting {
     RenderSettings settings;
     settings.pattern = pattern;
     settings.threads = 1;  // Embree's threads would be counted too
-    scene.width = scene.height = side;
+    scene.settings.width = scene.settings.height = side;
     frame = frame_from(scene, settings);
     small = {side / 4, side / 4, 3 * side / 4, 3 * side / 4};
   }

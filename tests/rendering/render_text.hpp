@@ -40,20 +40,14 @@ inline Scene scene_from(const std::string& text, const RenderSettings& settings 
 }
 
 inline Frame frame_from(const Scene& scene, const RenderSettings& settings = {}) {
-  TracingOptions options;
-  options.pattern = settings.pattern;
-  options.seed = scene.seed;
-  options.max_depth = scene.max_depth;
-  options.rays_per_pixel = scene.rays_per_pixel;
-  options.reflection_rays = scene.reflection_rays;
-  options.transmission_rays = scene.transmission_rays;
-  options.shadow_rays = scene.shadow_rays;
-  options.regular_lights = settings.regular_lights;
-  options.course = settings.course;
-  options.shadows = settings.shadows;
-  options.transparent_shadows = settings.transparent_shadows;
-  options.lens_model = settings.lens_model;
-  return make_frame(scene, options, settings.threads);
+  Scene set = scene;
+  set.settings.pattern = settings.pattern;
+  set.settings.regular_lights = settings.regular_lights;
+  set.settings.course = settings.course;
+  set.settings.shadows = settings.shadows;
+  set.settings.transparent_shadows = settings.transparent_shadows;
+  set.settings.lens_model = settings.lens_model;
+  return make_frame(set, settings.threads);
 }
 
 // A finished film, and its means pixel by pixel.
@@ -81,14 +75,14 @@ struct Picture3 {
 inline Picture3 render_scene(const Scene& scene, const RenderSettings& settings = {}) {
   const Frame frame = frame_from(scene, settings);
   Plan plan;
-  plan.crop = settings.crop.value_or(Crop{0, 0, scene.width, scene.height});
+  plan.crop = settings.crop.value_or(Crop{0, 0, scene.settings.width, scene.settings.height});
   plan.layers = settings.layers;
   plan.threads = settings.threads;
   Film film(plan.crop, plan.layers);
   RenderState state;
   const Kernel& kernel = settings.kernel ? *settings.kernel : *usable_kernels().back();
   const RayCounts rays =
-      render_samples(film, frame, kernel, plan, {0, static_cast<std::uint32_t>(scene.rays_per_pixel)}, state);
+      render_samples(film, frame, kernel, plan, {0, static_cast<std::uint32_t>(scene.settings.rays_per_pixel)}, state);
   return Picture3(std::move(film), rays);
 }
 

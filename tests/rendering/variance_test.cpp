@@ -22,8 +22,8 @@ Scene scene_of_file(const std::filesystem::path& path) {
 }
 
 ZeroedVector<float> colors(Scene scene, Pattern pattern, int rays, std::uint32_t seed) {
-  scene.rays_per_pixel = rays;
-  scene.seed = seed;
+  scene.settings.rays_per_pixel = rays;
+  scene.settings.seed = seed;
   RenderSettings settings;
   settings.pattern = pattern;
   return render_scene(scene, settings).color;
@@ -44,8 +44,8 @@ double variance(const Scene& scene, Pattern pattern, const ZeroedVector<float>& 
 
 double ratio_to_random(const std::filesystem::path& path, int width, int height) {
   Scene scene = scene_of_file(path);
-  scene.width = width;
-  scene.height = height;
+  scene.settings.width = width;
+  scene.settings.height = height;
   const ZeroedVector<float> converged = colors(scene, Pattern::sobol, 2048, 1000);
   return variance(scene, Pattern::sobol, converged) / variance(scene, Pattern::random, converged);
 }

@@ -18,9 +18,9 @@ inline std::string name_of(Pattern pattern) { return std::string(pattern_names[s
 // All that a frame needs for sample points.
 inline Frame sampling_frame(Pattern pattern, std::uint32_t count, std::uint32_t seed = 0) {
   Frame frame;
-  frame.options.pattern = pattern;
-  frame.options.seed = seed;
-  frame.options.rays_per_pixel = static_cast<int>(count);
+  frame.settings.pattern = pattern;
+  frame.settings.seed = seed;
+  frame.settings.rays_per_pixel = static_cast<int>(count);
   frame.tables = make_sample_tables(pattern, {count}, seed);
   return frame;
 }

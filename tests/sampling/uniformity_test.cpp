@@ -23,7 +23,7 @@ class Uniformity : public testing::TestWithParam<Pattern> {
     const Kernel& kernel = *usable_kernels().back();
     Points some{std::vector<float>(indices.back() + 1), std::vector<float>(indices.back() + 1)};
     for (int i = 0; i < seeds; i++) {
-      frame.options.seed = static_cast<std::uint32_t>(i);
+      frame.settings.seed = static_cast<std::uint32_t>(i);
       kernel.sample_points(frame, i % 1024, i / 1024, dimensions.first, some.u, some.v);
       for (std::size_t k = 0; k < indices.size(); k++) {
         lists[k].u.push_back(some.u[indices[k]]);

@@ -54,14 +54,14 @@ inline std::vector<PictureOfTest> pictures_of_test() {
 struct Setting {
   explicit Setting(const PictureOfTest& picture)
       : plan{picture.crop, picture.layers, 1}, scene(scene_from(picture.text)), frame(frame_from(scene)) {
-    if (picture.noise) goal = NoiseGoal{*picture.noise, static_cast<std::uint32_t>(scene.rays_per_pixel)};
+    if (picture.noise) goal = NoiseGoal{*picture.noise, static_cast<std::uint32_t>(scene.settings.rays_per_pixel)};
     key.version = "1";
     key.plan = {{"name", picture.name}};
   }
 
   std::unique_ptr<ResumableRender> render(const Kernel& kernel) const {
     if (goal) return std::make_unique<AdaptiveRender>(frame, kernel, plan, *goal);
-    return std::make_unique<UniformRender>(frame, kernel, plan, static_cast<std::uint32_t>(scene.rays_per_pixel), true);
+    return std::make_unique<UniformRender>(frame, kernel, plan, static_cast<std::uint32_t>(scene.settings.rays_per_pixel), true);
   }
 
   Plan plan;
@@ -75,7 +75,7 @@ struct Setting {
 inline FilmValues unbroken(const Setting& setting) {
   RenderState state;
   const Kernel& kernel = *usable_kernels().back();
-  const auto rays = static_cast<std::uint32_t>(setting.scene.rays_per_pixel);
+  const auto rays = static_cast<std::uint32_t>(setting.scene.settings.rays_per_pixel);
   Film film(setting.plan.crop, setting.plan.layers, setting.goal ? SampleCounts::per_pixel : SampleCounts::uniform);
   if (setting.goal) {
     render_adaptive(film, setting.frame, kernel, setting.plan, *setting.goal, state);

@@ -35,8 +35,8 @@ struct Errors {
 const ZeroedVector<float>& true_picture() {
   static const ZeroedVector<float> picture = [] {
     Scene scene = test::scene_from(soft_shadow);
-    scene.rays_per_pixel = 4096;
-    scene.seed = 77;
+    scene.settings.rays_per_pixel = 4096;
+    scene.settings.seed = 77;
     return test::render_scene(scene).color;
   }();
   return picture;

@@ -54,7 +54,7 @@ class RefinerTest : public testing::Test {
 
   ZeroedVector<float> rendered(int rays, const PictureOptions& options = {}) const {
     Scene scene = with_options(*loaded_->scene, options);
-    scene.rays_per_pixel = rays;
+    scene.settings.rays_per_pixel = rays;
     test::RenderSettings settings;
     settings.pattern = pattern_for(scene, options);
     return test::render_scene(scene, settings).color;

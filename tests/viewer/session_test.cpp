@@ -91,7 +91,7 @@ TEST_F(SessionTest, ALightThatIsGoneIsForgotten) {
   session.set_disk_radius(1, 0.3);
   test::put_content(folder_ / "s01a.cli", "image_size 40 30\npoint_light 0 5 0 1 1 1\nsphere 1 0 0 -5\n");
   wait([](const Session& s) {
-    return s.scene() && s.scene()->width == 40 && std::holds_alternative<PointLight>(s.scene()->lights[0]);
+    return s.scene() && s.scene()->settings.width == 40 && std::holds_alternative<PointLight>(s.scene()->lights[0]);
   });
   test::put_content(folder_ / "s01a.cli", "image_size 40 30\nsphere 1 0 0 -5\n");
   wait([](const Session& s) { return s.scene() && s.scene()->lights.empty(); });

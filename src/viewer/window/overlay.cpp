@@ -77,7 +77,7 @@ std::string status_line(const Session& session) {
   for (std::size_t i = 0; i < picture->sides.size(); i++) {
     const RefinedSide& side = picture->sides[i];
     text += fmt::format("   {}{}, error {}", i > 0 ? "| " : "",
-                        pattern_names[static_cast<int>(side.frame->options.pattern)], error_text(side.error));
+                        pattern_names[static_cast<int>(side.frame->settings.pattern)], error_text(side.error));
     if (!side.options.without.empty()) text += ", without " + to_string(side.options.without);
   }
   if (session.exposure_halves() != 0) text += fmt::format("   exposure {:+.1f}", session.exposure_halves() / 2.0);

@@ -37,7 +37,7 @@ void draw_rays(Places& places, Session& session, const Knobs& knobs) {
   }
   note(places, "rays per pixel");
   ImGui::TextDisabled(knobs.limit == 0 ? "0: as long as you look" : "the scene says %d",
-                      session.scene()->rays_per_pixel);
+                      session.scene()->settings.rays_per_pixel);
 }
 
 void draw_camera(Places& places, Session& session, const Knobs& knobs) {

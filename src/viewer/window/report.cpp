@@ -63,7 +63,7 @@ void Report::frame(const Session& session, int window_width, int window_height, 
   auto& sides = line["sides"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; picture && i < picture->sides.size(); i++) {
     const RefinedSide& side = picture->sides[i];
-    sides.push_back({{"sampler", pattern_names[static_cast<int>(side.frame->options.pattern)]},
+    sides.push_back({{"sampler", pattern_names[static_cast<int>(side.frame->settings.pattern)]},
                      {"without", to_string(side.options.without)},
                      {"estimated_error", side.error ? nlohmann::ordered_json(*side.error) : nullptr}});
   }

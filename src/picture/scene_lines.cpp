@@ -1,6 +1,8 @@
-#include "viewer/scene_lines.hpp"
+#include "picture/scene_lines.hpp"
 
 #include <fmt/format.h>
+
+#include "picture/option_table.hpp"
 
 namespace penumbra {
 namespace {
@@ -37,7 +39,30 @@ bool has_command(const Surface& s) {
   return s.highlight == Highlight::blinn && s.ambient.x == 0 && s.ambient.y == 0 && s.ambient.z == 0;
 }
 
-std::string changed_surfaces(const Scene& before, const Scene& after) {
+}  // namespace
+
+std::string size_lines(const Scene& before, const Scene& after) {
+  const Settings& then = before.settings;
+  const Settings& now = after.settings;
+  if (now.width == then.width && now.height == then.height) return {};
+  return fmt::format("image_size {} {}\n", now.width, now.height);
+}
+
+std::string lens_lines(const Scene& before, const Scene& after) {
+  const Camera& then = before.camera;
+  const Camera& now = after.camera;
+  if (now.lens_radius == then.lens_radius && now.focus_distance == then.focus_distance) return {};
+  return fmt::format("lens {} {}\n", now.lens_radius, now.focus_distance);
+}
+
+std::string shutter_lines(const Scene& before, const Scene& after) {
+  const Camera& then = before.camera;
+  const Camera& now = after.camera;
+  if (now.shutter_open == then.shutter_open && now.shutter_close == then.shutter_close) return {};
+  return fmt::format("shutter {} {}\n", now.shutter_open, now.shutter_close);
+}
+
+std::string surface_lines(const Scene& before, const Scene& after) {
   std::string text;
   for (std::size_t i = 0; i < after.surfaces.size(); i++) {
     const Surface& s = after.surfaces[i];
@@ -52,7 +77,7 @@ std::string changed_surfaces(const Scene& before, const Scene& after) {
   return text;
 }
 
-std::string changed_lights(const Scene& before, const Scene& after) {
+std::string light_lines(const Scene& before, const Scene& after) {
   std::string text;
   for (std::size_t i = 0; i < after.lights.size(); i++) {
     const auto* now = std::get_if<DiskLight>(&after.lights[i]);
@@ -64,34 +89,23 @@ std::string changed_lights(const Scene& before, const Scene& after) {
   return text;
 }
 
-}  // namespace
+std::string comment_line(std::string_view option, std::string_view words) {
+  return fmt::format("# --{}{}{}: there is no command for it\n", option, words.empty() ? "" : " ", words);
+}
 
 std::string changed_lines(const Scene& scene, const PictureOptions& options) {
   const Scene after = with_options(scene, options);
-  const auto line = [](bool changed, std::string text) { return changed ? std::move(text) : std::string(); };
-  const Camera& a = after.camera;
-  const Camera& b = scene.camera;
   std::string text;
-  text += line(after.width != scene.width || after.height != scene.height,
-               fmt::format("image_size {} {}\n", after.width, after.height));
-  text += line(after.rays_per_pixel != scene.rays_per_pixel, fmt::format("rays_per_pixel {}\n", after.rays_per_pixel));
-  text += line(a.lens_radius != b.lens_radius || a.focus_distance != b.focus_distance,
-               fmt::format("lens {} {}\n", a.lens_radius, a.focus_distance));
-  text += line(a.shutter_open != b.shutter_open || a.shutter_close != b.shutter_close,
-               fmt::format("shutter {} {}\n", a.shutter_open, a.shutter_close));
-  const Pattern pattern = pattern_for(after, options);
-  text +=
-      line(pattern != pattern_for(scene, {}), fmt::format("sampler {}\n", pattern_names[static_cast<int>(pattern)]));
-  text += line(after.seed != scene.seed, fmt::format("seed {}\n", after.seed));
-  text += line(after.max_depth != scene.max_depth, fmt::format("max_depth {}\n", after.max_depth));
-  text +=
-      line(after.reflection_rays != scene.reflection_rays, fmt::format("reflection_rays {}\n", after.reflection_rays));
-  text += line(after.transmission_rays != scene.transmission_rays,
-               fmt::format("transmission_rays {}\n", after.transmission_rays));
-  text += line(after.shadow_rays != scene.shadow_rays, fmt::format("shadow_rays {}\n", after.shadow_rays));
-  text += changed_lights(scene, after);
-  text += changed_surfaces(scene, after);
-  text += line(options.without.has(Effect::antialiasing), "# without antialiasing: there is no command for it\n");
+  for (const PictureOption& row : option_table()) {
+    const std::string said = row.words(options, after.settings);
+    if (row.lines) {
+      text += row.lines(scene, after);
+    } else if (row.command.empty()) {
+      if (!said.empty()) text += comment_line(row.name, row.metavar.empty() ? "" : said);
+    } else if (said != row.words({}, scene.settings)) {
+      text += fmt::format("{} {}\n", row.command.substr(0, row.command.find(' ')), said);
+    }
+  }
   return text;
 }
 

@@ -1,0 +1,197 @@
+// The camera and its time, and what is kept of the picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+#include "base/number_list.hpp"
+#include "picture/option_rows.hpp"
+#include "picture/option_text.hpp"
+#include "picture/scene_lines.hpp"
+
+namespace penumbra::option_rows {
+namespace {
+
+using Options = PictureOptions;
+
+std::string pair_in_words(const std::optional<std::pair<double, double>>& pair) {
+  return pair ? fmt::format("{},{}", pair->first, pair->second) : std::string();
+}
+
+}  // namespace
+
+PictureOption crop() {
+  PictureOption row{"crop", "x0,y0,x1,y1", "Render only these pixels, half open, from the top left [all]", "",
+                    OptionUse::render};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<int> n = whole_numbers(text, ',');
+    if (n.size() != 4 || n[0] < 0 || n[1] < 0 || n[2] <= n[0] || n[3] <= n[1]) {
+      return expected(text, "x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1, half open, from the top left");
+    }
+    options.crop = Crop{n[0], n[1], n[2], n[3]};
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    if (!options.crop) return std::string();
+    return fmt::format("{},{},{},{}", options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1);
+  };
+  return row;
+}
+
+PictureOption shutter() {
+  PictureOption row{"shutter", "O,C", "When the shutter opens and closes [the scene's, else 0,1]",
+                    "shutter open close"};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<double> n = numbers(text, ',');
+    if (n.size() != 2 || n[1] < n[0] || std::abs(n[0]) > farthest_time || std::abs(n[1]) > farthest_time) {
+      return expected(text, "OPEN,CLOSE with 0 <= CLOSE - OPEN and times from -1e6 to 1e6, such as 0,0.5");
+    }
+    options.shutter = {n[0], n[1]};
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) { return pair_in_words(options.shutter); };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.shutter) std::tie(scene.camera.shutter_open, scene.camera.shutter_close) = *options.shutter;
+  };
+  row.lines = shutter_lines;
+  row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
+    const double open = scene.camera.shutter_open, close = scene.camera.shutter_close;
+    return {{"shutter opens", Knob::Kind::real, open, -farthest_time, farthest_time, {},
+             [close](Options& options, double value) { options.shutter = {value, std::max(value, close)}; }},
+            {"shutter closes", Knob::Kind::real, close, -farthest_time, farthest_time, {},
+             [open](Options& options, double value) { options.shutter = {open, std::max(value, open)}; }}};
+  };
+  return row;
+}
+
+PictureOption time() {
+  PictureOption row{"time", "T", "Freeze the shutter at this time [the scene's shutter]", "shutter open close"};
+  row.parse = [](Options& options, std::string_view text) {
+    return parse_number(text, -farthest_time, farthest_time, "a time from -1e6 to 1e6", options.time);
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.time ? fmt::format("{}", *options.time) : std::string();
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
+  };
+  row.lines = no_lines;  // those of the shutter say it
+  return row;
+}
+
+PictureOption frames() {
+  PictureOption row{"frames", "A-B[xSTEP]",
+                    "Render an animation, from frame A to frame B, each STEP-th of them [no]", "", OptionUse::render};
+  row.parse = [](Options& options, std::string_view text) { return parse_frames(text, options.frames); };
+  row.words = [](const Options& options, const Settings&) {
+    if (!options.frames) return std::string();
+    const FrameRange& range = *options.frames;
+    const std::string step = range.step == 1 ? std::string() : fmt::format("x{}", range.step);
+    return fmt::format("{}-{}{}", range.first, range.last, step);
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    const std::optional<FrameOfRange> frame = options.frame_of_range();
+    if (!frame) return;
+    scene.camera.shutter_open = frame->time_at(scene.camera.shutter_open);
+    scene.camera.shutter_close = frame->time_at(scene.camera.shutter_close);
+  };
+  return row;
+}
+
+PictureOption frame() {
+  PictureOption row{"frame", "N", "Of these frames, render this one alone [all]", "", OptionUse::render};
+  row.parse = [](Options& options, std::string_view text) {
+    return parse_whole(text, 0, last_possible_frame, options.frame);
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.frame ? fmt::format("{}", *options.frame) : std::string();
+  };
+  return row;
+}
+
+PictureOption lens() {
+  PictureOption row{"lens", "R,D", "Radius of the lens and distance of the plane in focus [the scene's]",
+                    "lens radius dist"};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<double> n = numbers(text, ',');
+    if (n.size() != 2 || n[0] < 0 || n[1] <= 0 || n[0] > largest_radius || n[1] > largest_radius) {
+      return expected(text, "RADIUS,DISTANCE with a radius of 0 or more and a distance above 0, such as 0.2,5");
+    }
+    options.lens = {n[0], n[1]};
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) { return pair_in_words(options.lens); };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (!options.lens) return;
+    std::tie(scene.camera.lens_radius, scene.camera.focus_distance) = *options.lens;
+    scene.camera.focal_length = scene.camera.f_number = 0;
+  };
+  row.lines = lens_lines;
+  row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
+    const double radius = scene.camera.lens_radius, distance = scene.camera.focus_distance;
+    return {{"lens radius", Knob::Kind::real, radius, 0, 1e6, {},
+             [distance](Options& options, double value) { options.lens = {value, distance}; }},
+            {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6, {},
+             [radius](Options& options, double value) { options.lens = {radius, value}; }}};
+  };
+  return row;
+}
+
+PictureOption lens_model() {
+  PictureOption row{"lens-model", "thin|cone",
+                    "thin: rays from the lens; cone: from the eye, within the cone of blur of what the pinhole sees "
+                    "[thin]", ""};
+  row.parse = [](Options& options, std::string_view text) {
+    const auto found = std::find(std::begin(lens_model_names), std::end(lens_model_names), text);
+    if (found == std::end(lens_model_names)) return unknown("lens model", text, listed(lens_model_names));
+    options.lens_model = static_cast<LensModel>(found - std::begin(lens_model_names));
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.lens_model == LensModel::thin ? std::string() : std::string(lens_model_names[1]);
+  };
+  row.apply = [](Scene& scene, const Options& options) { scene.settings.lens_model = options.lens_model; };
+  return row;
+}
+
+PictureOption exposure() {
+  PictureOption row{"exposure", "STOPS", "Double the brightness this many times, in halves [0]", ""};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<double> n = numbers(text, ',');
+    if (n.size() != 1 || std::abs(2 * n[0]) > most_exposure_halves || 2 * n[0] != std::floor(2 * n[0])) {
+      return expected(text, fmt::format("a whole number of halves from -{0} to {0}, such as 1.5",
+                                        most_exposure_halves / 2));
+    }
+    options.exposure_halves = static_cast<int>(2 * n[0]);
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.exposure_halves != 0 ? fmt::format("{}", options.exposure_halves / 2.0) : std::string();
+  };
+  return row;
+}
+
+PictureOption aov() {
+  PictureOption row{"aov", "LAYERS", "More layers for an EXR: depth,normal,albedo,variance,samples [none]", "",
+                    OptionUse::sums_only, true};
+  row.parse = [](Options& options, std::string_view text) {
+    return add_layer(options.layers, text) ? std::string() : unknown("layer", text, listed(layer_names));
+  };
+  row.words = [](const Options& options, const Settings&) { return to_string(options.layers); };
+  return row;
+}
+
+PictureOption bits() {
+  PictureOption row{"bits", "8|16", "Bits for each colour in a PNG [8]", "", OptionUse::output_only};
+  row.parse = [](Options& options, std::string_view text) {
+    if (text != "8" && text != "16") return expected(text, "8 or 16");
+    options.bits = text == "8" ? 8 : 16;
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) { return std::string(options.bits == 8 ? "" : "16"); };
+  return row;
+}
+
+}  // namespace penumbra::option_rows

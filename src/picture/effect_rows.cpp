@@ -1,0 +1,112 @@
+// More or less of an effect, of all that have it or of one by its number.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "picture/option_rows.hpp"
+#include "picture/option_text.hpp"
+#include "picture/scene_lines.hpp"
+
+namespace penumbra::option_rows {
+namespace {
+
+using Options = PictureOptions;
+
+// A row for radii of numbered things.
+template <auto asked, auto set>
+PictureOption radii(std::string_view name, std::string help, std::string_view command) {
+  PictureOption row{name, "[N:]R", std::move(help), command, OptionUse::everywhere, true};
+  row.parse = [](Options& options, std::string_view text) { return parse_radius(text, options.*asked); };
+  row.words = [](const Options& options, const Settings&) { return radii_in_words(options.*asked); };
+  row.apply = [](Scene& scene, const Options& options) { set(scene, options.*asked); };
+  return row;
+}
+
+void replace_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
+  std::erase_if(radii, [number](const NumberedRadius& r) { return r.number == number; });
+  radii.push_back({number, radius});
+}
+
+}  // namespace
+
+PictureOption disk_radius() {
+  PictureOption row = radii<&Options::disk_radius, set_disk_radius>(
+      "disk-radius", "Radius of all disk lights, or of light N alone [the scene's]", "disk_light ... radius ...");
+  row.lines = light_lines;
+  row.knobs = [](const Scene& scene, const Options&) {
+    std::vector<Knob> knobs;
+    for (std::size_t i = 0; i < scene.lights.size(); i++) {
+      const auto* disk = std::get_if<DiskLight>(&scene.lights[i]);
+      if (!disk) continue;
+      const int number = static_cast<int>(i) + 1;
+      knobs.push_back({fmt::format("disk radius, light {}", number), Knob::Kind::real, disk->radius, 0, 1e6, {},
+                       [number](Options& o, double value) { replace_radius(o.disk_radius, number, value); }});
+    }
+    return knobs;
+  };
+  return row;
+}
+
+PictureOption gloss() {
+  PictureOption row = radii<&Options::gloss, set_gloss>(
+      "gloss", "Gloss radius of all surfaces that reflect, or of surface N alone [the scene's]", "glossy ... gloss_radius");
+  row.lines = surface_lines;
+  row.knobs = [](const Scene& scene, const Options&) {
+    std::vector<Knob> knobs;
+    for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
+      if (scene.surfaces[i].reflection == 0) continue;
+      const int number = static_cast<int>(i) + 1;
+      knobs.push_back({fmt::format("gloss, surface {}", number), Knob::Kind::real, scene.surfaces[i].gloss_radius, 0,
+                       1e6, {}, [number](Options& o, double value) { replace_radius(o.gloss, number, value); }});
+    }
+    return knobs;
+  };
+  return row;
+}
+
+PictureOption blur() {
+  PictureOption row = radii<&Options::blur, set_blur>(
+      "blur", "Blur radius of all surfaces that transmit, or of surface N alone [the scene's]",
+      "translucent ... blur_radius");
+  row.lines = no_lines;  // those of --gloss say it
+  row.knobs = [](const Scene& scene, const Options&) {
+    std::vector<Knob> knobs;
+    for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
+      if (scene.surfaces[i].transmission == 0) continue;
+      const int number = static_cast<int>(i) + 1;
+      knobs.push_back({fmt::format("blur, surface {}", number), Knob::Kind::real, scene.surfaces[i].blur_radius, 0, 1e6,
+                       {}, [number](Options& o, double value) { replace_radius(o.blur, number, value); }});
+    }
+    return knobs;
+  };
+  return row;
+}
+
+PictureOption without() {
+  PictureOption row{"without", "LIST", fmt::format("Leave out effects: {} [none]", fmt::join(effect_names, ",")), "",
+                    OptionUse::everywhere, true};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::optional<Effect> effect = effect_from_name(text);
+    if (!effect) return unknown("effect", text, listed(effect_names));
+    options.without.add(*effect);
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) { return to_string(options.without); };
+  row.apply = [](Scene& scene, const Options& options) { leave_out(scene, options.without); };
+  row.lines = [](const Scene& before, const Scene& after) {
+    if (before.settings.antialiasing == after.settings.antialiasing) return std::string();
+    return comment_line("without", effect_names[static_cast<int>(Effect::antialiasing)]);
+  };
+  row.knobs = [](const Scene&, const Options& options) {
+    std::vector<Knob> knobs;
+    for (int i = 0; i < effect_count; i++) {
+      const auto effect = static_cast<Effect>(i);
+      knobs.push_back({std::string(effect_names[i]), Knob::Kind::toggle, options.without.has(effect) ? 0.0 : 1.0, 0, 1,
+                       {}, [effect](Options& o, double) { o.without.toggle(effect); }});
+    }
+    return knobs;
+  };
+  row.each_side = true;
+  return row;
+}
+
+}  // namespace penumbra::option_rows

@@ -1,0 +1,99 @@
+#include "picture/option_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/number_list.hpp"
+
+namespace penumbra {
+namespace {
+
+// Takes a number of digits alone off `text`.
+std::optional<int> take_number(std::string_view& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || text.front() == '-') return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+bool take(std::string_view& text, char letter) {
+  if (text.empty() || text.front() != letter) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+std::optional<FrameRange> range_from(std::string_view text) {
+  const auto first = take_number(text);
+  if (!first || !take(text, '-')) return std::nullopt;
+  const auto last = take_number(text);
+  if (!last) return std::nullopt;
+  const auto step = take(text, 'x') ? take_number(text) : 1;
+  if (!step || !text.empty()) return std::nullopt;
+  if (*first > *last || *last > last_possible_frame || *step < 1) return std::nullopt;
+  return FrameRange{*first, *last, *step};
+}
+
+}  // namespace
+
+std::string expected(std::string_view text, std::string_view what) {
+  return fmt::format("expected {}; found `{}`", what, text);
+}
+
+std::string unknown(std::string_view what, std::string_view text, std::string_view names) {
+  return fmt::format("there is no {} `{}`; there are {}", what, text, names);
+}
+
+std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::int64_t& value) {
+  std::int64_t number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error != std::errc{} || end != last || number < low || number > high) {
+    return expected(text, fmt::format("a whole number from {} to {}", low, high));
+  }
+  value = number;
+  return {};
+}
+
+std::string parse_number(std::string_view text, double low, double high, std::string_view what,
+                         std::optional<double>& value) {
+  const std::vector<double> n = numbers(text, ',');
+  if (n.size() != 1 || n[0] < low || n[0] > high) return expected(text, what);
+  value = n[0];
+  return {};
+}
+
+std::string parse_frames(std::string_view text, std::optional<FrameRange>& range) {
+  const std::optional<FrameRange> found = range_from(text);
+  if (!found) {
+    return expected(text, fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
+  }
+  range = found;
+  return {};
+}
+
+std::string parse_radius(std::string_view text, std::vector<NumberedRadius>& radii) {
+  const std::size_t colon = text.find(':');
+  const bool numbered = colon != text.npos;
+  const std::vector<int> number = numbered ? whole_numbers(text.substr(0, colon), ',') : std::vector<int>{0};
+  const std::vector<double> radius = numbers(numbered ? text.substr(colon + 1) : text, ',');
+  const bool good = number.size() == 1 && (!numbered || number[0] >= 1) && radius.size() == 1 && radius[0] >= 0 &&
+                    radius[0] <= largest_radius;
+  if (!good) {
+    return expected(text, "a radius of 0 or more for all, or NUMBER:RADIUS for one, such as 0.2 or 3:0.2");
+  }
+  radii.push_back({number[0], radius[0]});
+  return {};
+}
+
+std::string radii_in_words(const std::vector<NumberedRadius>& radii) {
+  std::string text;
+  for (const NumberedRadius& radius : radii) {
+    if (!text.empty()) text += ',';
+    text += radius.number == 0 ? fmt::format("{}", radius.radius) : fmt::format("{}:{}", radius.number, radius.radius);
+  }
+  return text;
+}
+
+}  // namespace penumbra

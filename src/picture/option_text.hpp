@@ -1,0 +1,42 @@
+// Values of options as text: what the rows of the option table share in reading and writing them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "picture/picture_options.hpp"
+
+namespace penumbra {
+
+inline constexpr double farthest_time = 1e6;
+inline constexpr double largest_radius = 1e9;
+
+// "expected ...; found `text`".
+std::string expected(std::string_view text, std::string_view what);
+// "there is no pattern `text`; there are ...".
+std::string unknown(std::string_view what, std::string_view text, std::string_view names);
+
+// A number, decimal, from `low` to `high`; what is wrong with the text, empty if nothing is. The result stays as it was
+// then.
+std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::int64_t& value);
+std::string parse_number(std::string_view text, double low, double high, std::string_view what,
+                         std::optional<double>& value);
+template <class Number>
+std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::optional<Number>& value) {
+  std::int64_t number = 0;
+  std::string wrong = parse_whole(text, low, high, number);
+  if (wrong.empty()) value = static_cast<Number>(number);
+  return wrong;
+}
+
+// "A-B" or "A-BxSTEP".
+std::string parse_frames(std::string_view text, std::optional<FrameRange>& range);
+
+// "0.2" is for all, "3:0.2" for number 3.
+std::string parse_radius(std::string_view text, std::vector<NumberedRadius>& radii);
+std::string radii_in_words(const std::vector<NumberedRadius>& radii);
+
+}  // namespace penumbra

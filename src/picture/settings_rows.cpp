@@ -1,0 +1,200 @@
+// How the rays of a picture are spent: what scene/settings.hpp has, and how many rays are worth it.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+#include "picture/option_rows.hpp"
+#include "picture/option_text.hpp"
+#include "picture/scene_lines.hpp"
+#include "rendering/adaptive_rules.hpp"
+
+namespace penumbra::option_rows {
+namespace {
+
+using Options = PictureOptions;
+
+// A row for a whole number that scenes say too: at least `low`, at most `high`. Its words are always said, or where it
+// was asked for or is not 1.
+template <auto asked, auto setting, std::int64_t low, std::int64_t high, bool always>
+PictureOption whole_number(std::string_view name, std::string help, std::string_view command) {
+  PictureOption row{name, "N", std::move(help), command};
+  row.parse = [](Options& options, std::string_view text) { return parse_whole(text, low, high, options.*asked); };
+  row.words = [](const Options& options, const Settings& settings) {
+    const bool said = always || options.*asked || settings.*setting != 1;
+    return said ? fmt::format("{}", settings.*setting) : std::string();
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.*asked) scene.settings.*setting = *(options.*asked);
+  };
+  return row;
+}
+
+// A row for a flag; the setting has the value `then` where it is given.
+template <bool Options::*asked>
+PictureOption flag(std::string_view name, std::string help) {
+  PictureOption row{name, "", std::move(help), ""};
+  row.parse = [](Options& options, std::string_view) {
+    options.*asked = true;
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) { return std::string(options.*asked ? "yes" : ""); };
+  return row;
+}
+template <bool Options::*asked, bool Settings::*setting, bool then>
+PictureOption flag(std::string_view name, std::string help) {
+  PictureOption row = flag<asked>(name, std::move(help));
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.*asked) scene.settings.*setting = then;
+  };
+  return row;
+}
+
+}  // namespace
+
+PictureOption size() {
+  PictureOption row{"size", "WxH", "Pixels [the scene's, else 300x300]", "image_size w h"};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<int> n = whole_numbers(text, 'x');
+    const auto is_side = [](int side) { return side >= 1 && side <= most_side; };
+    if (n.size() != 2 || !is_side(n[0]) || !is_side(n[1]) || std::int64_t{n[0]} * n[1] > most_pixels) {
+      return expected(text, fmt::format("WxH with 1 to {} pixels each and at most 2^28 in all, such as 640x480",
+                                        most_side));
+    }
+    options.size = {n[0], n[1]};
+    return std::string();
+  };
+  row.words = [](const Options&, const Settings& settings) {
+    return fmt::format("{}x{}", settings.width, settings.height);
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.size) std::tie(scene.settings.width, scene.settings.height) = *options.size;
+  };
+  row.lines = size_lines;
+  return row;
+}
+
+PictureOption rays() {
+  PictureOption row = whole_number<&Options::rays, &Settings::rays_per_pixel, 1, most_rays, true>(
+      "rays", "Rays per pixel; with --noise, the most [the scene's, else 1; with --noise 65536]", "rays_per_pixel n");
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.noise) scene.settings.rays_per_pixel = static_cast<int>(NoiseGoal().most_rays);
+    if (options.rays) scene.settings.rays_per_pixel = *options.rays;
+  };
+  return row;
+}
+
+PictureOption sampler() {
+  PictureOption row{"sampler", "NAME",
+                    fmt::format("Sample pattern: {} [the scene's, else {}; with --course random]",
+                                listed(pattern_names), pattern_names[static_cast<int>(default_pattern)]),
+                    "sampler name"};
+  row.parse = [](Options& options, std::string_view text) {
+    options.sampler = pattern_from_name(text);
+    return options.sampler ? std::string() : unknown("pattern", text, listed(pattern_names));
+  };
+  row.words = [](const Options&, const Settings& settings) {
+    return std::string(pattern_names[static_cast<int>(settings.pattern)]);
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    // The course's pictures are of independent random samples.
+    if (options.course) scene.settings.pattern = Pattern::random;
+    if (options.sampler) scene.settings.pattern = *options.sampler;
+  };
+  row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
+    const int now = static_cast<int>(scene.settings.pattern);
+    return {{"sampler", Knob::Kind::choice, static_cast<double>(now), 0, 0, pattern_names,
+             [](Options& options, double value) { options.sampler = static_cast<Pattern>(static_cast<int>(value)); }}};
+  };
+  row.each_side = true;
+  return row;
+}
+
+PictureOption seed() {
+  PictureOption row{"seed", "N", "Seed of the sample pattern [the scene's, else 0]", "seed n"};
+  row.parse = [](Options& options, std::string_view text) { return parse_whole(text, 0, 0xffffffff, options.seed); };
+  row.words = [](const Options&, const Settings& settings) { return fmt::format("{}", settings.seed); };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.seed) scene.settings.seed = *options.seed;
+  };
+  row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
+    return {{"seed", Knob::Kind::whole, static_cast<double>(scene.settings.seed), 0, 0xffffffff, {},
+             [](Options& options, double value) { options.seed = static_cast<std::uint32_t>(value); }}};
+  };
+  return row;
+}
+
+PictureOption max_depth() {
+  PictureOption row = whole_number<&Options::max_depth, &Settings::max_depth, 0, most_depth, true>(
+      "max-depth", "Depth at which no further ray is sent [the scene's, else 8]", "max_depth n");
+  row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
+    return {{"max depth", Knob::Kind::slider, static_cast<double>(scene.settings.max_depth), 0, 20, {},
+             [](Options& options, double value) { options.max_depth = static_cast<int>(value); }}};
+  };
+  return row;
+}
+
+PictureOption reflection_rays() {
+  return whole_number<&Options::reflection_rays, &Settings::reflection_rays, 1, most_hit_rays, false>(
+          "reflection-rays", "Reflected rays from what an eye ray hits [the scene's, else 1]", "reflection_rays n");
+}
+
+PictureOption transmission_rays() {
+  return whole_number<&Options::transmission_rays, &Settings::transmission_rays, 1, most_hit_rays, false>(
+          "transmission-rays", "Transmitted rays from what an eye ray hits [the scene's, else 1]",
+          "transmission_rays n");
+}
+
+PictureOption shadow_rays() {
+  return whole_number<&Options::shadow_rays, &Settings::shadow_rays, 1, most_hit_rays, false>(
+          "shadow-rays", "Shadow rays from what an eye ray hits to each area light [the scene's, else 1]",
+          "shadow_rays n");
+}
+
+PictureOption sampler_light() {
+  PictureOption row{"sampler-light", "regular",
+                    "regular: area lights are sampled at a fixed regular set of points [as --sampler says]", ""};
+  row.parse = [](Options& options, std::string_view text) {
+    options.regular_lights = text == "regular";
+    return options.regular_lights ? std::string() : unknown("pattern for lights", text, "regular");
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return std::string(options.regular_lights ? "regular" : "");
+  };
+  row.apply = [](Scene& scene, const Options& options) { scene.settings.regular_lights |= options.regular_lights; };
+  return row;
+}
+
+PictureOption noise() {
+  PictureOption row{"noise", "E",
+                    "As many rays as each pixel needs for this standard error, colours being 0..1 [off]", "",
+                    OptionUse::render};
+  row.parse = [](Options& options, std::string_view text) {
+    return parse_number(text, 1e-5, 1, "an error from 1e-5 to 1", options.noise);
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.noise ? fmt::format("{}", *options.noise) : std::string();
+  };
+  return row;
+}
+
+PictureOption course() {
+  return flag<&Options::course, &Settings::course, true>("course", "The course's own picture, to the pixel [off]");
+}
+
+PictureOption lenient() {
+  return flag<&Options::lenient>("lenient", "Skip commands that only other programs know, with a warning [off]");
+}
+
+PictureOption no_shadows() {
+  return flag<&Options::no_shadows, &Settings::shadows, false>("no-shadows", "Every light reaches every surface [off]");
+}
+
+PictureOption transparent_shadows() {
+  return flag<&Options::transparent_shadows, &Settings::transparent_shadows, true>(
+          "transparent-shadows", "Shadow rays pass translucent surfaces, times k_trans for each [off]");
+}
+
+}  // namespace penumbra::option_rows

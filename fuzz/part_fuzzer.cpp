@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/part_file.hpp"
+#include "app/merge/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "invariants.hpp"
 #include "picture/develop.hpp"

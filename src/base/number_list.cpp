@@ -1,4 +1,4 @@
-#include "app/arguments.hpp"
+#include "base/number_list.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Reading the small lists of numbers that options take.
+// Small lists of numbers in texts, such as options take.
 #pragma once
 
 #include <string_view>

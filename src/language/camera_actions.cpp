@@ -65,7 +65,9 @@ void shutter(Reading& reading, const Call& call) {
   camera.shutter_close = call[1];
 }
 
-void rays_per_pixel(Reading& reading, const Call& call) { reading.builder.change().settings.rays_per_pixel = call.whole(0); }
+void rays_per_pixel(Reading& reading, const Call& call) {
+  reading.builder.change().settings.rays_per_pixel = call.whole(0);
+}
 
 void sampler(Reading& reading, const Call& call) {
   const std::string_view name = call.word(0);
@@ -79,11 +81,15 @@ void sampler(Reading& reading, const Call& call) {
       did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
 
-void seed(Reading& reading, const Call& call) { reading.builder.change().settings.seed = static_cast<std::uint32_t>(call[0]); }
+void seed(Reading& reading, const Call& call) {
+  reading.builder.change().settings.seed = static_cast<std::uint32_t>(call[0]);
+}
 
 void max_depth(Reading& reading, const Call& call) { reading.builder.change().settings.max_depth = call.whole(0); }
 
-void reflection_rays(Reading& reading, const Call& call) { reading.builder.change().settings.reflection_rays = call.whole(0); }
+void reflection_rays(Reading& reading, const Call& call) {
+  reading.builder.change().settings.reflection_rays = call.whole(0);
+}
 
 void transmission_rays(Reading& reading, const Call& call) {
   reading.builder.change().settings.transmission_rays = call.whole(0);

@@ -43,7 +43,8 @@ constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
 constexpr Argument name = {.name = "name", .kind = Kind::name};
 constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
-constexpr Argument rays = whole("n", 1, most_rays), depth = whole("n", 0, most_depth), any_seed = whole("n", 0, 4294967295.0);
+constexpr Argument rays = whole("n", 1, most_rays_per_pixel), depth = whole("n", 0, most_depth),
+                   any_seed = whole("n", 0, 4294967295.0);
 constexpr Argument rays_each = whole("n", 1, most_hit_rays);
 
 constexpr double far_pixel = 1 << 30;

@@ -58,10 +58,24 @@ PictureOption shutter() {
   row.lines = shutter_lines;
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double open = scene.camera.shutter_open, close = scene.camera.shutter_close;
-    return {{"shutter opens", Knob::Kind::real, open, -farthest_time, farthest_time, {},
-             [close](Options& options, double value) { options.shutter = {value, std::max(value, close)}; }},
-            {"shutter closes", Knob::Kind::real, close, -farthest_time, farthest_time, {},
-             [open](Options& options, double value) { options.shutter = {open, std::max(value, open)}; }}};
+    return {{"shutter opens",
+             Knob::Kind::real,
+             open,
+             -farthest_time,
+             farthest_time,
+             {},
+             [close](Options& options, double value) {
+               options.shutter = {value, std::max(value, close)};
+             }},
+            {"shutter closes",
+             Knob::Kind::real,
+             close,
+             -farthest_time,
+             farthest_time,
+             {},
+             [open](Options& options, double value) {
+               options.shutter = {open, std::max(value, open)};
+             }}};
   };
   return row;
 }
@@ -82,8 +96,8 @@ PictureOption time() {
 }
 
 PictureOption frames() {
-  PictureOption row{"frames", "A-B[xSTEP]",
-                    "Render an animation, from frame A to frame B, each STEP-th of them [no]", "", OptionUse::render};
+  PictureOption row{"frames", "A-B[xSTEP]", "Render an animation, from frame A to frame B, each STEP-th of them [no]",
+                    "", OptionUse::render};
   row.parse = [](Options& options, std::string_view text) { return parse_frames(text, options.frames); };
   row.words = [](const Options& options, const Settings&) {
     if (!options.frames) return std::string();
@@ -131,10 +145,18 @@ PictureOption lens() {
   row.lines = lens_lines;
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double radius = scene.camera.lens_radius, distance = scene.camera.focus_distance;
-    return {{"lens radius", Knob::Kind::real, radius, 0, 1e6, {},
-             [distance](Options& options, double value) { options.lens = {value, distance}; }},
-            {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6, {},
-             [radius](Options& options, double value) { options.lens = {radius, value}; }}};
+    return {{"lens radius",
+             Knob::Kind::real,
+             radius,
+             0,
+             1e6,
+             {},
+             [distance](Options& options, double value) {
+               options.lens = {value, distance};
+             }},
+            {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6, {}, [radius](Options& options, double value) {
+               options.lens = {radius, value};
+             }}};
   };
   return row;
 }
@@ -142,7 +164,8 @@ PictureOption lens() {
 PictureOption lens_model() {
   PictureOption row{"lens-model", "thin|cone",
                     "thin: rays from the lens; cone: from the eye, within the cone of blur of what the pinhole sees "
-                    "[thin]", ""};
+                    "[thin]",
+                    ""};
   row.parse = [](Options& options, std::string_view text) {
     const auto found = std::find(std::begin(lens_model_names), std::end(lens_model_names), text);
     if (found == std::end(lens_model_names)) return unknown("lens model", text, listed(lens_model_names));
@@ -161,8 +184,8 @@ PictureOption exposure() {
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<double> n = numbers(text, ',');
     if (n.size() != 1 || std::abs(2 * n[0]) > most_exposure_halves || 2 * n[0] != std::floor(2 * n[0])) {
-      return expected(text, fmt::format("a whole number of halves from -{0} to {0}, such as 1.5",
-                                        most_exposure_halves / 2));
+      return expected(text,
+                      fmt::format("a whole number of halves from -{0} to {0}, such as 1.5", most_exposure_halves / 2));
     }
     options.exposure_halves = static_cast<int>(2 * n[0]);
     return std::string();
@@ -174,8 +197,9 @@ PictureOption exposure() {
 }
 
 PictureOption aov() {
-  PictureOption row{"aov", "LAYERS", "More layers for an EXR: depth,normal,albedo,variance,samples [none]", "",
-                    OptionUse::sums_only, true};
+  PictureOption row{
+      "aov", "LAYERS", "More layers for an EXR: depth,normal,albedo,variance,samples [none]", "", OptionUse::sums_only,
+      true};
   row.parse = [](Options& options, std::string_view text) {
     return add_layer(options.layers, text) ? std::string() : unknown("layer", text, listed(layer_names));
   };

@@ -38,7 +38,12 @@ PictureOption disk_radius() {
       const auto* disk = std::get_if<DiskLight>(&scene.lights[i]);
       if (!disk) continue;
       const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("disk radius, light {}", number), Knob::Kind::real, disk->radius, 0, 1e6, {},
+      knobs.push_back({fmt::format("disk radius, light {}", number),
+                       Knob::Kind::real,
+                       disk->radius,
+                       0,
+                       1e6,
+                       {},
                        [number](Options& o, double value) { replace_radius(o.disk_radius, number, value); }});
     }
     return knobs;
@@ -48,15 +53,21 @@ PictureOption disk_radius() {
 
 PictureOption gloss() {
   PictureOption row = radii<&Options::gloss, set_gloss>(
-      "gloss", "Gloss radius of all surfaces that reflect, or of surface N alone [the scene's]", "glossy ... gloss_radius");
+      "gloss", "Gloss radius of all surfaces that reflect, or of surface N alone [the scene's]",
+      "glossy ... gloss_radius");
   row.lines = surface_lines;
   row.knobs = [](const Scene& scene, const Options&) {
     std::vector<Knob> knobs;
     for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
       if (scene.surfaces[i].reflection == 0) continue;
       const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("gloss, surface {}", number), Knob::Kind::real, scene.surfaces[i].gloss_radius, 0,
-                       1e6, {}, [number](Options& o, double value) { replace_radius(o.gloss, number, value); }});
+      knobs.push_back({fmt::format("gloss, surface {}", number),
+                       Knob::Kind::real,
+                       scene.surfaces[i].gloss_radius,
+                       0,
+                       1e6,
+                       {},
+                       [number](Options& o, double value) { replace_radius(o.gloss, number, value); }});
     }
     return knobs;
   };
@@ -73,8 +84,13 @@ PictureOption blur() {
     for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
       if (scene.surfaces[i].transmission == 0) continue;
       const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("blur, surface {}", number), Knob::Kind::real, scene.surfaces[i].blur_radius, 0, 1e6,
-                       {}, [number](Options& o, double value) { replace_radius(o.blur, number, value); }});
+      knobs.push_back({fmt::format("blur, surface {}", number),
+                       Knob::Kind::real,
+                       scene.surfaces[i].blur_radius,
+                       0,
+                       1e6,
+                       {},
+                       [number](Options& o, double value) { replace_radius(o.blur, number, value); }});
     }
     return knobs;
   };
@@ -82,8 +98,12 @@ PictureOption blur() {
 }
 
 PictureOption without() {
-  PictureOption row{"without", "LIST", fmt::format("Leave out effects: {} [none]", fmt::join(effect_names, ",")), "",
-                    OptionUse::everywhere, true};
+  PictureOption row{"without",
+                    "LIST",
+                    fmt::format("Leave out effects: {} [none]", fmt::join(effect_names, ",")),
+                    "",
+                    OptionUse::everywhere,
+                    true};
   row.parse = [](Options& options, std::string_view text) {
     const std::optional<Effect> effect = effect_from_name(text);
     if (!effect) return unknown("effect", text, listed(effect_names));
@@ -100,8 +120,13 @@ PictureOption without() {
     std::vector<Knob> knobs;
     for (int i = 0; i < effect_count; i++) {
       const auto effect = static_cast<Effect>(i);
-      knobs.push_back({std::string(effect_names[i]), Knob::Kind::toggle, options.without.has(effect) ? 0.0 : 1.0, 0, 1,
-                       {}, [effect](Options& o, double) { o.without.toggle(effect); }});
+      knobs.push_back({std::string(effect_names[i]),
+                       Knob::Kind::toggle,
+                       options.without.has(effect) ? 0.0 : 1.0,
+                       0,
+                       1,
+                       {},
+                       [effect](Options& o, double) { o.without.toggle(effect); }});
     }
     return knobs;
   };

@@ -10,7 +10,8 @@ template <class Words, class IsWanted>
 void add_words(Words& words, const Scene& scene, const PictureOptions& options, const IsWanted& is_wanted) {
   for (const PictureOption& row : option_table()) {
     if (!is_wanted(row.use)) continue;
-    if (std::string said = row.words(options, scene.settings); !said.empty()) words.emplace_back(row.name, std::move(said));
+    if (std::string said = row.words(options, scene.settings); !said.empty())
+      words.emplace_back(row.name, std::move(said));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "picture/option_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 
@@ -37,6 +38,8 @@ std::optional<FrameRange> range_from(std::string_view text) {
 
 }  // namespace
 
+std::string listed(std::span<const std::string_view> names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
 std::string expected(std::string_view text, std::string_view what) {
   return fmt::format("expected {}; found `{}`", what, text);
 }
@@ -67,7 +70,8 @@ std::string parse_number(std::string_view text, double low, double high, std::st
 std::string parse_frames(std::string_view text, std::optional<FrameRange>& range) {
   const std::optional<FrameRange> found = range_from(text);
   if (!found) {
-    return expected(text, fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
+    return expected(text,
+                    fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
   }
   range = found;
   return {};

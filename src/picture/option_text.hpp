@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "picture/picture_options.hpp"
 
 namespace penumbra {
+
+// The names, separated by ", ".
+std::string listed(std::span<const std::string_view> names);
 
 inline constexpr double farthest_time = 1e6;
 inline constexpr double largest_radius = 1e9;

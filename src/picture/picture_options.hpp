@@ -1,5 +1,5 @@
-// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of it.
-// option_table.hpp has a row for each of them.
+// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of
+// it. option_table.hpp has a row for each of them.
 #pragma once
 
 #include <cstdint>

@@ -89,6 +89,8 @@ std::string light_lines(const Scene& before, const Scene& after) {
   return text;
 }
 
+std::string no_lines(const Scene&, const Scene&) { return {}; }
+
 std::string comment_line(std::string_view option, std::string_view words) {
   return fmt::format("# --{}{}{}: there is no command for it\n", option, words.empty() ? "" : " ", words);
 }

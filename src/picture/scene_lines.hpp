@@ -20,6 +20,9 @@ std::string shutter_lines(const Scene& before, const Scene& after);
 std::string surface_lines(const Scene& before, const Scene& after);
 std::string light_lines(const Scene& before, const Scene& after);
 
+// Of an option that changes only what the lines of another one say.
+std::string no_lines(const Scene& before, const Scene& after);
+
 // The comment about an option for which there is no command.
 std::string comment_line(std::string_view option, std::string_view words);
 

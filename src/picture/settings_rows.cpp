@@ -1,11 +1,11 @@
 // How the rays of a picture are spent: what scene/settings.hpp has, and how many rays are worth it.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 
+#include "base/number_list.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
@@ -60,8 +60,8 @@ PictureOption size() {
     const std::vector<int> n = whole_numbers(text, 'x');
     const auto is_side = [](int side) { return side >= 1 && side <= most_side; };
     if (n.size() != 2 || !is_side(n[0]) || !is_side(n[1]) || std::int64_t{n[0]} * n[1] > most_pixels) {
-      return expected(text, fmt::format("WxH with 1 to {} pixels each and at most 2^28 in all, such as 640x480",
-                                        most_side));
+      return expected(text,
+                      fmt::format("WxH with 1 to {} pixels each and at most 2^28 in all, such as 640x480", most_side));
     }
     options.size = {n[0], n[1]};
     return std::string();
@@ -77,7 +77,7 @@ PictureOption size() {
 }
 
 PictureOption rays() {
-  PictureOption row = whole_number<&Options::rays, &Settings::rays_per_pixel, 1, most_rays, true>(
+  PictureOption row = whole_number<&Options::rays, &Settings::rays_per_pixel, 1, most_rays_per_pixel, true>(
       "rays", "Rays per pixel; with --noise, the most [the scene's, else 1; with --noise 65536]", "rays_per_pixel n");
   row.apply = [](Scene& scene, const Options& options) {
     if (options.noise) scene.settings.rays_per_pixel = static_cast<int>(NoiseGoal().most_rays);
@@ -120,7 +120,12 @@ PictureOption seed() {
     if (options.seed) scene.settings.seed = *options.seed;
   };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
-    return {{"seed", Knob::Kind::whole, static_cast<double>(scene.settings.seed), 0, 0xffffffff, {},
+    return {{"seed",
+             Knob::Kind::whole,
+             static_cast<double>(scene.settings.seed),
+             0,
+             0xffffffff,
+             {},
              [](Options& options, double value) { options.seed = static_cast<std::uint32_t>(value); }}};
   };
   return row;
@@ -130,7 +135,12 @@ PictureOption max_depth() {
   PictureOption row = whole_number<&Options::max_depth, &Settings::max_depth, 0, most_depth, true>(
       "max-depth", "Depth at which no further ray is sent [the scene's, else 8]", "max_depth n");
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
-    return {{"max depth", Knob::Kind::slider, static_cast<double>(scene.settings.max_depth), 0, 20, {},
+    return {{"max depth",
+             Knob::Kind::slider,
+             static_cast<double>(scene.settings.max_depth),
+             0,
+             20,
+             {},
              [](Options& options, double value) { options.max_depth = static_cast<int>(value); }}};
   };
   return row;
@@ -138,19 +148,17 @@ PictureOption max_depth() {
 
 PictureOption reflection_rays() {
   return whole_number<&Options::reflection_rays, &Settings::reflection_rays, 1, most_hit_rays, false>(
-          "reflection-rays", "Reflected rays from what an eye ray hits [the scene's, else 1]", "reflection_rays n");
+      "reflection-rays", "Reflected rays from what an eye ray hits [the scene's, else 1]", "reflection_rays n");
 }
 
 PictureOption transmission_rays() {
   return whole_number<&Options::transmission_rays, &Settings::transmission_rays, 1, most_hit_rays, false>(
-          "transmission-rays", "Transmitted rays from what an eye ray hits [the scene's, else 1]",
-          "transmission_rays n");
+      "transmission-rays", "Transmitted rays from what an eye ray hits [the scene's, else 1]", "transmission_rays n");
 }
 
 PictureOption shadow_rays() {
   return whole_number<&Options::shadow_rays, &Settings::shadow_rays, 1, most_hit_rays, false>(
-          "shadow-rays", "Shadow rays from what an eye ray hits to each area light [the scene's, else 1]",
-          "shadow_rays n");
+      "shadow-rays", "Shadow rays from what an eye ray hits to each area light [the scene's, else 1]", "shadow_rays n");
 }
 
 PictureOption sampler_light() {
@@ -168,9 +176,8 @@ PictureOption sampler_light() {
 }
 
 PictureOption noise() {
-  PictureOption row{"noise", "E",
-                    "As many rays as each pixel needs for this standard error, colours being 0..1 [off]", "",
-                    OptionUse::render};
+  PictureOption row{"noise", "E", "As many rays as each pixel needs for this standard error, colours being 0..1 [off]",
+                    "", OptionUse::render};
   row.parse = [](Options& options, std::string_view text) {
     return parse_number(text, 1e-5, 1, "an error from 1e-5 to 1", options.noise);
   };
@@ -194,7 +201,7 @@ PictureOption no_shadows() {
 
 PictureOption transparent_shadows() {
   return flag<&Options::transparent_shadows, &Settings::transparent_shadows, true>(
-          "transparent-shadows", "Shadow rays pass translucent surfaces, times k_trans for each [off]");
+      "transparent-shadows", "Shadow rays pass translucent surfaces, times k_trans for each [off]");
 }
 
 }  // namespace penumbra::option_rows

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "rendering/shard.hpp"
 
@@ -23,6 +25,10 @@ struct Layers {
   bool any() const { return depth || normal || albedo || variance || samples; }
   bool operator==(const Layers&) const = default;
 };
+
+inline constexpr std::string_view layer_names[] = {"depth", "normal", "albedo", "variance", "samples"};
+bool add_layer(Layers& layers, std::string_view name);
+std::string to_string(const Layers& layers);
 
 // Whether all pixels are to have the same number of samples, or each its own. Where each has its own, whoever renders
 // also says the variance of a pixel's mean, if there is such a layer: the squares of the samples do not tell it.

@@ -60,7 +60,8 @@ void GrowingPicture::keep() {
 }
 
 RefinedSide GrowingPicture::side() const {
-  return {options_, scene_, frame_, develop_color(film_, {scene_->settings.width, scene_->settings.height, rects_, {}}), error_.error()};
+  return {options_, scene_, frame_, develop_color(film_, {scene_->settings.width, scene_->settings.height, rects_, {}}),
+          error_.error()};
 }
 
 }  // namespace penumbra

@@ -1,6 +1,8 @@
 #include "viewer/pass_schedule.hpp"
 
 #include <algorithm>
+
+#include "scene/settings.hpp"
 #include <bit>
 
 namespace penumbra {
@@ -16,8 +18,9 @@ std::uint32_t step_after(std::uint32_t n, std::uint32_t granularity, double seco
 }  // namespace
 
 std::optional<Pass> next_pass(const PassRules& rules, std::uint32_t rays, double seconds_per_ray) {
-  const std::uint32_t most = rules.needs_count ? most_rays_of_free_set : most_rays_per_pixel;
-  const std::uint32_t limit = rules.limit > 0 ? std::min(rules.limit, most_rays_per_pixel) : most;
+  constexpr std::uint32_t most_rays = most_rays_per_pixel;
+  const std::uint32_t most = rules.needs_count ? most_rays_of_free_set : most_rays;
+  const std::uint32_t limit = rules.limit > 0 ? std::min(rules.limit, most_rays) : most;
   if (rays >= limit) return std::nullopt;
   if (rays == 0) return Pass{0, 1, 1};
   if (rules.needs_count) {

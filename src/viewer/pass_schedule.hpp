@@ -24,8 +24,6 @@ struct PassRules {
   std::uint32_t granularity = 1;  // the fewest samples worth a pass, a power of two
 };
 
-// The most rays of a pixel: the exact sums of a film have room for no more.
-inline constexpr std::uint32_t most_rays_per_pixel = 1u << 24;
 // The largest set that is made without being asked for.
 inline constexpr std::uint32_t most_rays_of_free_set = 1u << 14;
 // How long a pass should take, seconds.

@@ -6,10 +6,10 @@
 #include <iterator>
 
 #include "base/atomic_file.hpp"
+#include "picture/scene_lines.hpp"
 #include "viewer/focus.hpp"
 #include "viewer/save_picture.hpp"
 #include "viewer/scene_folder.hpp"
-#include "viewer/scene_lines.hpp"
 
 namespace penumbra {
 namespace {
@@ -18,11 +18,6 @@ constexpr std::chrono::milliseconds look_interval(25);
 // A file that is written again and again is read all the same.
 constexpr std::chrono::milliseconds longest_freshness(100);
 constexpr std::chrono::seconds message_duration(4);
-
-void set_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
-  std::erase_if(radii, [number](const NumberedRadius& r) { return r.number == number; });
-  radii.push_back({number, radius});
-}
 
 }  // namespace
 
@@ -174,11 +169,11 @@ void Session::obey(const ViewCommand& command, PlaceInWindow cursor) {
       if (loaded_) {
         const int side = side_count() - 1;
         const int next = (static_cast<int>(sampler(side)) + 1) % static_cast<int>(std::size(pattern_names));
-        set_sampler(side, static_cast<Pattern>(next));
+        change_side(side, [next](PictureOptions& o) { o.sampler = static_cast<Pattern>(next); });
       }
       break;
     case ViewCommandKind::toggle_effect:
-      toggle_effect(side_count() - 1, command.effect);
+      change_side(side_count() - 1, [&](PictureOptions& o) { o.without.toggle(command.effect); });
       break;
     case ViewCommandKind::more_rays:
       change_rays(true);
@@ -212,8 +207,8 @@ void Session::focus(PlaceInWindow cursor) {
   const double middle = frame.settings.course ? 0.0 : 0.5;
   const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
   if (!distance) return say("there is nothing at the cursor to focus at");
-  const double radius = knobs().lens_radius;
-  set_lens(radius, *distance);
+  const double radius = scene_with_all_effects().camera.lens_radius;
+  change([=](PictureOptions& o) { o.lens = {radius, *distance}; });
   say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so all is sharp" : ""));
 }
 
@@ -262,7 +257,7 @@ void Session::set_split(bool split) {
 void Session::change_rays(bool more) {
   if (!loaded_) return;
   const auto now = limit_ > 0 ? limit_ : static_cast<std::uint32_t>(loaded_->scene->settings.rays_per_pixel);
-  set_limit(more ? std::min(now * 2, 1u << 24) : std::max(now / 2, 1u));
+  set_limit(more ? std::min(now * 2, std::uint32_t{most_rays_per_pixel}) : std::max(now / 2, 1u));
 }
 
 void Session::set_limit(std::uint32_t rays) {
@@ -270,55 +265,19 @@ void Session::set_limit(std::uint32_t rays) {
   refiner_.set_limit(rays);
 }
 
-Knobs Session::knobs() const {
+Scene Session::scene_with_all_effects() const {
   PictureOptions options = sides_[0];
   options.without = {};
-  const Scene scene = loaded_ ? with_options(*loaded_->scene, options) : Scene{};
-  const Camera& camera = scene.camera;
-  return {camera.lens_radius,
-          camera.focus_distance,
-          camera.shutter_open,
-          camera.shutter_close,
-          scene.settings.seed,
-          scene.settings.max_depth,
-          limit_};
+  return loaded_ ? with_options(*loaded_->scene, options) : Scene{};
 }
 
-template <typename Change>
-void Session::change_sides(Change&& change) {
-  for (PictureOptions& side : sides_) change(side);
+void Session::change(const std::function<void(PictureOptions&)>& set) {
+  for (PictureOptions& side : sides_) set(side);
   show(false);
 }
 
-void Session::set_lens(double radius, double distance) {
-  change_sides([=](PictureOptions& o) { o.lens = {radius, distance}; });
-}
-void Session::set_shutter(double open, double close) {
-  change_sides([=](PictureOptions& o) { o.shutter = {open, std::max(open, close)}; });
-}
-void Session::set_seed(std::uint32_t seed) {
-  change_sides([=](PictureOptions& o) { o.seed = seed; });
-}
-void Session::set_max_depth(int depth) {
-  change_sides([=](PictureOptions& o) { o.max_depth = depth; });
-}
-void Session::set_gloss(int surface, double radius) {
-  change_sides([=](PictureOptions& o) { set_radius(o.gloss, surface, radius); });
-}
-void Session::set_blur(int surface, double radius) {
-  change_sides([=](PictureOptions& o) { set_radius(o.blur, surface, radius); });
-}
-void Session::set_disk_radius(int light, double radius) {
-  change_sides([=](PictureOptions& o) { set_radius(o.disk_radius, light, radius); });
-}
-
-void Session::set_sampler(int side, Pattern pattern) {
-  sides_[static_cast<std::size_t>(side)].sampler = pattern;
-  show(false);
-}
-
-void Session::toggle_effect(int side, Effect effect) {
-  sides_[static_cast<std::size_t>(side)].without.toggle(effect);
+void Session::change_side(int side, const std::function<void(PictureOptions&)>& set) {
+  set(sides_[static_cast<std::size_t>(side)]);
   show(false);
 }
 

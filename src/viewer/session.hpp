@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,15 +22,6 @@ struct SessionOptions {
   PictureOptions picture;  // of the command line
   int threads = 1;
   const Kernel* kernel = nullptr;
-};
-
-// The knobs of a panel: what the scene says, with what was changed.
-struct Knobs {
-  double lens_radius, focus_distance;
-  double shutter_open, shutter_close;
-  std::uint32_t seed;
-  int max_depth;
-  std::uint32_t limit;  // rays per pixel; 0: as many as there is time for
 };
 
 class Session {
@@ -50,17 +42,13 @@ class Session {
 
   // Knobs. Each change draws the picture anew.
   const Scene* scene() const { return loaded_ ? loaded_->scene.get() : nullptr; }  // as read; null before the first
-  Knobs knobs() const;
-  void set_lens(double radius, double distance);
-  void set_shutter(double open, double close);
-  void set_seed(std::uint32_t seed);
-  void set_max_depth(int depth);
+  // The left side's scene, as if no effect were left out: what knobs show.
+  Scene scene_with_all_effects() const;
+  // Changes the options of both sides, or of one.
+  void change(const std::function<void(PictureOptions&)>& set);
+  void change_side(int side, const std::function<void(PictureOptions&)>& set);
+  std::uint32_t limit() const { return limit_; }  // rays per pixel; 0: as many as there is time for
   void set_limit(std::uint32_t rays);
-  void set_gloss(int surface, double radius);
-  void set_blur(int surface, double radius);
-  void set_disk_radius(int light, double radius);
-  void set_sampler(int side, Pattern pattern);
-  void toggle_effect(int side, Effect effect);
   void forget_changes();
   // With the options of one side.
   Scene changed_scene(int side) const { return with_options(*loaded_->scene, options(side)); }
@@ -105,8 +93,6 @@ class Session {
   void look_at_files(Clock::time_point now);
   // A scene that was read again may have fewer lights and surfaces.
   void forget_missing_numbers();
-  template <typename Change>
-  void change_sides(Change&& change);
 
   std::filesystem::path folder_, save_folder_;
   PictureOptions command_line_;

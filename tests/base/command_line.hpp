@@ -1,20 +1,26 @@
 // Options as they come from a command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/options/command_line.hpp"
+
 namespace penumbra::test {
 
-// What `penumbra ARGUMENTS` makes of the options of one command, which `add` declares; the first argument names the
-// command. Throws what CLI11 throws at wrong use.
-template <class Result, class Options>
-Options parse_command(Result (*add)(CLI::App&, Options&), const std::vector<std::string>& arguments) {
-  CLI::App app;
+struct WrongUse : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// What `penumbra ARGUMENTS` makes of the options of one command, which `make` describes; the first argument names the
+// command. Throws WrongUse with what is said of wrong arguments.
+template <class Options>
+Options parse_command(Subcommand (*make)(Options&), const std::vector<std::string>& arguments) {
   Options options;
-  add(app, options);
-  app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // from the last on, as CLI11 wants them
+  const Subcommand command = make(options);
+  const std::string wrong = read_words(command, {arguments.begin() + 1, arguments.end()});
+  if (!wrong.empty()) throw WrongUse(wrong);
   return options;
 }
 

@@ -1,11 +1,11 @@
 // The subcommand as the user has it: options, table, JSON, plot and exit codes.
-#include "app/samples_command.hpp"
+#include "app/samples/samples_command.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "app/pattern_plot.hpp"
+#include "app/samples/pattern_plot.hpp"
 #include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
@@ -17,7 +17,7 @@ namespace penumbra::test {
 namespace {
 
 SamplesOptions parse(const std::vector<std::string>& arguments) {
-  return parse_command(add_samples, command_line({"samples"}, arguments));
+  return parse_command(samples_subcommand, command_line({"samples"}, arguments));
 }
 
 struct CommandResult {
@@ -156,7 +156,7 @@ TEST(SamplesCommand, WhatCannotBeWritten) {
 std::string refusal(const std::vector<std::string>& arguments) {
   try {
     parse(arguments);
-  } catch (const CLI::ParseError& error) {
+  } catch (const test::WrongUse& error) {
     return error.what();
   }
   return "";

@@ -1,5 +1,5 @@
 // The subcommand as the user has it: options, table, JSON, heat map and exit codes.
-#include "app/compare_command.hpp"
+#include "app/compare/compare_command.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct CommandResult {
 
 // Parses and runs as `penumbra compare ARGUMENTS` does.
 CommandResult run(const std::vector<std::string>& arguments) {
-  const CompareOptions options = test::parse_command(add_compare, test::command_line({"compare"}, arguments));
+  const CompareOptions options = test::parse_command(compare_subcommand, test::command_line({"compare"}, arguments));
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = compare_command(options);
@@ -149,15 +149,15 @@ TEST_F(CompareCommand, MissingAndDamagedFiles) {
 
 TEST(CompareOptionsTest, WrongUseIsRefused) {
   const auto parse = [](const std::vector<std::string>& arguments) {
-    test::parse_command(add_compare, test::command_line({"compare"}, arguments));
+    test::parse_command(compare_subcommand, test::command_line({"compare"}, arguments));
   };
   EXPECT_NO_THROW(parse({"a", "b"}));
   EXPECT_NO_THROW(parse({"a", "b", "--hardfail", "inf"}));
-  EXPECT_THROW(parse({"a"}), CLI::ParseError);
-  EXPECT_THROW(parse({"a", "b", "--fail", "-1"}), CLI::ParseError);
-  EXPECT_THROW(parse({"a", "b", "--fail", "nan"}), CLI::ParseError);
-  EXPECT_THROW(parse({"a", "b", "--fail", "x"}), CLI::ParseError);
-  EXPECT_THROW(parse({"a", "b", "c"}), CLI::ParseError);
+  EXPECT_THROW(parse({"a"}), test::WrongUse);
+  EXPECT_THROW(parse({"a", "b", "--fail", "-1"}), test::WrongUse);
+  EXPECT_THROW(parse({"a", "b", "--fail", "nan"}), test::WrongUse);
+  EXPECT_THROW(parse({"a", "b", "--fail", "x"}), test::WrongUse);
+  EXPECT_THROW(parse({"a", "b", "c"}), test::WrongUse);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/compare_command.hpp"
+#include "app/compare/compare_command.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 #include "image/test_pictures.hpp"

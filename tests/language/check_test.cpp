@@ -1,4 +1,4 @@
-#include "app/check_command.hpp"
+#include "app/check/check_command.hpp"
 
 #include <unistd.h>
 

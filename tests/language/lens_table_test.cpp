@@ -1,6 +1,6 @@
 // The lens table of `check` against numbers worked out by hand. With F = 1, n = 2 and P = 5 the lens has the radius
 // 1/4 and V_P = 5/4; with 90 degrees over 300 pixels, r S / (2 D tan(fov/2)) = 150 r / D.
-#include "app/lens_table.hpp"
+#include "app/check/lens_table.hpp"
 
 #include "support.hpp"
 

@@ -26,7 +26,7 @@ TEST(Limits, ofThePictureSize) {
 }
 
 TEST(Limits, ofTheRays) {
-  EXPECT_EQ(scene_of(light + ball + "rays_per_pixel 16777216\n").rays_per_pixel, 16777216);
+  EXPECT_EQ(scene_of(light + ball + "rays_per_pixel 16777216\n").settings.rays_per_pixel, 16777216);
   EXPECT_EQ(read("rays_per_pixel 16777217\n").diagnostics.at(0).message,
             "`n` of `rays_per_pixel` has to be a whole number from 1 to 16777216; found `16777217`");
 }

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/render_command.hpp"
+#include "app/render/render_command.hpp"
 #include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "rendering/isa.hpp"
@@ -22,7 +22,7 @@ class IsaOption : public testing::Test {
   // The exit code of a render into `picture_`.
   int render(const std::vector<std::string>& arguments) {
     const std::vector<std::string> fixed = {"render", scene_, "-o", picture_, "--stats", stats_, "--quiet"};
-    return render_command(test::parse_command(add_render, test::command_line(fixed, arguments)));
+    return render_command(test::parse_command(render_subcommand, test::command_line(fixed, arguments)));
   }
 
   // What is said against `--isa name`; empty if nothing is.
@@ -30,7 +30,7 @@ class IsaOption : public testing::Test {
     try {
       EXPECT_EQ(render({"--isa", name}), 0) << name;
       return "";
-    } catch (const CLI::ValidationError& e) {
+    } catch (const test::WrongUse& e) {
       return e.what();
     }
   }

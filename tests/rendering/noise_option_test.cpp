@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/render_command.hpp"
+#include "app/render/render_command.hpp"
 #include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
@@ -21,7 +21,7 @@ class NoiseOption : public testing::Test {
 
   // The exit code; what was printed is in `printed_`.
   int render(const std::vector<std::string>& arguments) {
-    const RenderOptions options = test::parse_command(add_render, test::command_line({"render", scene_}, arguments));
+    const RenderOptions options = test::parse_command(render_subcommand, test::command_line({"render", scene_}, arguments));
     testing::internal::CaptureStderr();
     const int exit_code = render_command(options);
     printed_ = testing::internal::GetCapturedStderr();
@@ -59,9 +59,9 @@ TEST_F(NoiseOption, SaysThatTheMostRaysWereNotEnough) {
 
 TEST_F(NoiseOption, RefusesWhatIsNoGood) {
   for (const char* error : {"0", "-1", "nan", "inf", "2", "1e-9", "some", ""}) {
-    EXPECT_THROW(render({"--noise", error, "-o", picture_}), CLI::ValidationError) << error;
+    EXPECT_THROW(render({"--noise", error, "-o", picture_}), test::WrongUse) << error;
   }
-  EXPECT_THROW(render({"--noise", "0.1", "--rays", "3", "-o", picture_}), CLI::ValidationError);
+  EXPECT_THROW(render({"--noise", "0.1", "--rays", "3", "-o", picture_}), test::WrongUse);
 }
 
 // Patterns that are made for one number of rays cannot go on.

@@ -1,6 +1,6 @@
 // Signals and the time limit: the picture so far and the checkpoint are written, the exit code is 75, and going on
 // gives the unbroken file.
-#include "app/interruption.hpp"
+#include "app/sessions/interruption.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/settings.hpp"
+
 #include <vector>
 
 namespace penumbra {

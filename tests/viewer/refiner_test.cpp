@@ -56,7 +56,7 @@ class RefinerTest : public testing::Test {
     Scene scene = with_options(*loaded_->scene, options);
     scene.settings.rays_per_pixel = rays;
     test::RenderSettings settings;
-    settings.pattern = pattern_for(scene, options);
+    settings.pattern = scene.settings.pattern;
     return test::render_scene(scene, settings).color;
   }
 

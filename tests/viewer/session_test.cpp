@@ -59,14 +59,14 @@ class SessionTest : public testing::Test {
 TEST_F(SessionTest, RaysAreDoubledAndHalved) {
   Session& session = open(std::nullopt);
   wait([](const Session& s) { return s.picture_is_current(); });
-  EXPECT_EQ(session.knobs().limit, 0u);
+  EXPECT_EQ(session.limit(), 0u);
   obey(ViewCommandKind::more_rays);
-  EXPECT_EQ(session.knobs().limit, 6u) << "twice what the scene says";
+  EXPECT_EQ(session.limit(), 6u) << "twice what the scene says";
   obey(ViewCommandKind::fewer_rays);
   obey(ViewCommandKind::fewer_rays);
-  EXPECT_EQ(session.knobs().limit, 1u);
+  EXPECT_EQ(session.limit(), 1u);
   obey(ViewCommandKind::fewer_rays);
-  EXPECT_EQ(session.knobs().limit, 1u);
+  EXPECT_EQ(session.limit(), 1u);
   wait_until_done();
   EXPECT_EQ(session.picture()->rays, 1u);
 }
@@ -75,20 +75,20 @@ TEST_F(SessionTest, AnotherSceneForgetsWhatWasChanged) {
   test::put_content(folder_ / "s02a.cli", scene_text);
   Session& session = open();
   wait_until_done();
-  session.set_lens(0.4, 7);
-  session.toggle_effect(0, Effect::gloss);
-  EXPECT_EQ(session.knobs().lens_radius, 0.4);
+  session.change([](PictureOptions& o) { o.lens = {0.4, 7}; });
+  session.change_side(0, [](PictureOptions& o) { o.without.toggle(Effect::gloss); });
+  EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.4);
   session.obey({ViewCommandKind::load_scene, 2, false}, {});
   wait_until_done();
-  EXPECT_EQ(session.knobs().lens_radius, 0.1);
+  EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.1);
   EXPECT_TRUE(session.options(0).without.empty());
-  EXPECT_EQ(session.knobs().limit, 4u) << "the command line is not forgotten";
+  EXPECT_EQ(session.limit(), 4u) << "the command line is not forgotten";
 }
 
 TEST_F(SessionTest, ALightThatIsGoneIsForgotten) {
   Session& session = open();
   wait_until_done();
-  session.set_disk_radius(1, 0.3);
+  session.change([](PictureOptions& o) { o.disk_radius = {{1, 0.3}}; });
   test::put_content(folder_ / "s01a.cli", "image_size 40 30\npoint_light 0 5 0 1 1 1\nsphere 1 0 0 -5\n");
   wait([](const Session& s) {
     return s.scene() && s.scene()->settings.width == 40 && std::holds_alternative<PointLight>(s.scene()->lights[0]);
@@ -102,8 +102,8 @@ TEST_F(SessionTest, FocusIsPutWhereTheCursorIs) {
   Session& session = open();
   wait_until_done();
   obey(ViewCommandKind::focus);
-  EXPECT_NEAR(session.knobs().focus_distance, 4, 0.01);
-  EXPECT_EQ(session.knobs().lens_radius, 0.1);
+  EXPECT_NEAR(session.scene_with_all_effects().camera.focus_distance, 4, 0.01);
+  EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.1);
   wait_until_done();
   EXPECT_NEAR(session.picture()->sides[0].scene->camera.focus_distance, 4, 0.01);
 }
@@ -143,7 +143,7 @@ TEST_F(SessionTest, PausedEditsShowTheirFirstPicture) {
   Session& session = open(std::nullopt);
   wait([](const Session& s) { return s.picture_is_current() && s.picture()->rays >= 2; });
   obey(ViewCommandKind::pause);
-  session.set_lens(0.3, 4);
+  session.change([](PictureOptions& o) { o.lens = {0.3, 4}; });
   wait([](const Session& s) { return s.picture_is_current(); });
   EXPECT_EQ(session.picture()->rays, 1u);
 }

@@ -68,7 +68,7 @@ std::string status_line(const Session& session) {
   const auto& picture = session.picture();
   if (!picture || !session.picture_is_current()) return text + (session.error().empty() ? "   ..." : "   has an error");
   text += fmt::format("   {} rays per pixel", picture->rays);
-  if (session.knobs().limit > 0) text += fmt::format(" of {}", session.knobs().limit);
+  if (session.limit() > 0) text += fmt::format(" of {}", session.limit());
   if (session.paused()) text += " (paused)";
   if (picture->done) text += " (done)";
   text +=

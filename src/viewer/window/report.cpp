@@ -15,7 +15,8 @@ void Report::frame(const Session& session, int window_width, int window_height, 
                    const std::vector<KnobPlace>& knob_places, const std::optional<WindowArea>& inspector, bool typing) {
   if (!file_.is_open()) return;
   const auto& picture = session.picture();
-  const Knobs knobs = session.knobs();
+  const Scene scene = session.scene_with_all_effects();
+  const Camera& camera = scene.camera;
   const WindowArea place = session.view().picture();
   nlohmann::ordered_json line = {
       {"frame", ++frames_},
@@ -37,11 +38,11 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"split", session.split()},
       {"divider", session.divider()},
       {"exposure", session.exposure_halves() / 2.0},
-      {"limit", knobs.limit},
-      {"lens", {knobs.lens_radius, knobs.focus_distance}},
-      {"shutter", {knobs.shutter_open, knobs.shutter_close}},
-      {"seed", knobs.seed},
-      {"max_depth", knobs.max_depth},
+      {"limit", session.limit()},
+      {"lens", {camera.lens_radius, camera.focus_distance}},
+      {"shutter", {camera.shutter_open, camera.shutter_close}},
+      {"seed", scene.settings.seed},
+      {"max_depth", scene.settings.max_depth},
       {"window", {window_width, window_height}},
       {"picture", {place.x, place.y, place.width, place.height}},
       {"zoom", session.view().zoom_factor()},

@@ -1,0 +1,165 @@
+#include "app/check/check_command.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "app/check/lens_table.hpp"
+#include "app/options/picture_options.hpp"
+
+namespace penumbra {
+namespace {
+
+// What the groups and definitions of a scene hold, each counted once however often it is placed.
+struct Counts {
+  std::uint64_t spheres = 0, boxes = 0, cylinders = 0, triangles = 0, groups = 0, instances = 0, moving = 0;
+};
+
+void count_objects(const std::vector<Object>& objects, Counts& counts);
+
+// Counts one shape of any kind.
+struct CountShape {
+  Counts& counts;
+  void operator()(const Sphere&) const { counts.spheres++; }
+  void operator()(const Box&) const { counts.boxes++; }
+  void operator()(const Cylinder&) const { counts.cylinders++; }
+  void operator()(const TriangleRange& range) const { counts.triangles += range.count; }
+  void operator()(const Instance&) const { counts.instances++; }
+  void operator()(const std::shared_ptr<const Group>& group) const {
+    counts.groups++;
+    count_objects(group->objects, counts);
+  }
+};
+
+void count_objects(const std::vector<Object>& objects, Counts& counts) {
+  for (const Object& object : objects) {
+    std::visit(CountShape{counts}, object.shape);
+    if (object.motion != Vec3{}) counts.moving++;
+  }
+}
+
+std::string plural(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+// Joins what is there; "none" if nothing is.
+std::string listed(const std::vector<std::string>& parts) {
+  return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void add_count(std::vector<std::string>& parts, std::uint64_t count, std::string_view one, std::string_view many) {
+  if (count > 0) parts.push_back(plural(count, one, many));
+}
+
+std::string triple(Vec3 v) { return fmt::format("{:g} {:g} {:g}", v.x + 0.0, v.y + 0.0, v.z + 0.0); }
+
+std::string describe_lights(const Scene& scene) {
+  const auto count = [&]<class Kind>(Kind) {
+    return static_cast<std::uint64_t>(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+      return std::holds_alternative<Kind>(light);
+    }));
+  };
+  std::vector<std::string> parts;
+  add_count(parts, count(PointLight{}), "point light", "point lights");
+  add_count(parts, count(DiskLight{}), "disk light", "disk lights");
+  add_count(parts, count(SpotLight{}), "spotlight", "spotlights");
+  return listed(parts);
+}
+
+std::string describe_camera(const Camera& camera) {
+  const double length_of_back = length(camera.back);
+  std::string text = fmt::format("eye {}, looking along {}, fov {:g}", triple(camera.eye),
+                                 triple(-camera.back / length_of_back), camera.fov_degrees);
+  text += camera.lens_radius > 0
+              ? fmt::format(", lens of radius {:g} focused at {:g}", camera.lens_radius, camera.focus_distance)
+              : ", pinhole";
+  return text + fmt::format(", shutter {:g} to {:g}", camera.shutter_open, camera.shutter_close);
+}
+
+std::string describe_objects(const Scene& scene, const Counts& counts) {
+  std::vector<std::string> parts;
+  add_count(parts, counts.spheres, "sphere", "spheres");
+  add_count(parts, counts.boxes, "box", "boxes");
+  add_count(parts, counts.cylinders, "cylinder", "cylinders");
+  add_count(parts, counts.triangles, "triangle", "triangles");
+  add_count(parts, counts.groups, "group", "groups");
+  add_count(parts, scene.definitions.size(), "named object", "named objects");
+  add_count(parts, counts.instances, "instance", "instances");
+  add_count(parts, counts.moving, "moving object", "moving objects");
+  return listed(parts);
+}
+
+std::string describe_picture(const Picture& picture, std::size_t number) {
+  const Scene& scene = *picture.scene;
+  Counts counts;
+  count_objects(scene.root.objects, counts);
+  count_objects(scene.definitions, counts);
+  std::string text =
+      fmt::format("picture {}: {}\n", number, picture.file.empty() ? "named after the scene" : picture.file);
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", name, value);
+  };
+  row("size", fmt::format("{} x {}", scene.settings.width, scene.settings.height));
+  row("rays", fmt::format("{} per pixel, depth {}, sampler {}, seed {}", scene.settings.rays_per_pixel,
+                          scene.settings.max_depth, pattern_names[static_cast<int>(scene.settings.pattern)],
+                          scene.settings.seed));
+  if (std::max({scene.settings.reflection_rays, scene.settings.transmission_rays, scene.settings.shadow_rays}) > 1) {
+    row("first hits", fmt::format("{} reflection, {} transmission and {} shadow rays", scene.settings.reflection_rays,
+                                  scene.settings.transmission_rays, scene.settings.shadow_rays));
+  }
+  row("camera", describe_camera(scene.camera));
+  row("background", triple(scene.background));
+  row("lights", describe_lights(scene));
+  row("objects", describe_objects(scene, counts));
+  row("surfaces", fmt::format("{}", scene.surfaces.size()));
+  if (!picture.rects.empty()) row("painted", plural(picture.rects.size(), "rectangle", "rectangles"));
+  return text + lens_table(scene);
+}
+
+}  // namespace
+
+std::string describe(const SceneFile& file) {
+  std::string text;
+  for (const std::string& name : file.files) text += fmt::format("read: {}\n", name);
+  std::size_t number = 0;
+  const Scene* last = nullptr;
+  for (const Action& action : file.actions) {
+    const Picture* const picture = std::get_if<Picture>(&action);
+    if (picture == nullptr) continue;
+    number++;
+    if (picture->scene.get() == last && picture->rects.empty()) {
+      text += fmt::format("picture {}: {}, the same scene\n", number,
+                          picture->file.empty() ? "named after the scene" : picture->file);
+    } else {
+      text += describe_picture(*picture, number);
+    }
+    last = picture->scene.get();
+  }
+  const auto warnings = std::count_if(file.diagnostics.begin(), file.diagnostics.end(),
+                                      [](const Diagnostic& d) { return d.severity == Severity::warning; });
+  text += plural(static_cast<std::uint64_t>(warnings), "warning", "warnings") + '\n';
+  return text;
+}
+
+Subcommand check_subcommand(CheckOptions& options) {
+  Subcommand check{"check", "Read a scene and say what is in it, or what is wrong with it", {}, {}, {}, {}, {}, {}};
+  check.options = {{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
+                   picture_option(options.picture, "course"),
+                   picture_option(options.picture, "lenient")};
+  check.run = [&options] { return check_command(options); };
+  return check;
+}
+
+int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors) {
+  const SceneFile file =
+      read_scene(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
+  for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
+  if (!file.found) return EX_NOINPUT;
+  if (has_error(file.diagnostics)) return EX_DATAERR;
+  fmt::print(out, "{}", describe(file));
+  return 0;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,148 @@
+#include "app/check/lens_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "geometry/placing.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t most_rows = 50;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+bool knows_focal_length(const Camera& camera) { return camera.f_number > 0; }
+
+// F D / (D - F): what is at distance D before the lens has its image at this distance behind it.
+double image_distance(double focal_length, double distance) {
+  return focal_length * distance / (distance - focal_length);
+}
+
+// The bounding boxes of objects at one time, in the space of the group that holds them. The box of what an instance
+// places is found once and carried along as a box.
+class ObjectBounds {
+ public:
+  ObjectBounds(const Scene& scene, double time) : scene_(scene), time_(time), definitions_(scene.definitions.size()) {}
+
+  Bounds of(const Object& object) {
+    const Affine& placement = scene_.placements[object.placement];
+    const Bounds at_time_0 = std::visit([&](const auto& shape) { return of_shape(shape, placement); }, object.shape);
+    return is_empty(at_time_0) ? at_time_0 : shift(at_time_0, object.motion * time_);
+  }
+
+ private:
+  template <class Shape>
+  Bounds of_shape(const Shape& shape, const Affine& placement) {
+    return transformed_bounds(placement, shape);
+  }
+  Bounds of_shape(const TriangleRange& range, const Affine&) {
+    const TriangleStore& store = *scene_.triangles;
+    Bounds bounds;
+    const std::size_t first = std::size_t{3} * range.first, count = std::size_t{3} * range.count;
+    for (std::size_t i = first; i < first + count; i++) {
+      const float* p = &store.vertices[std::size_t{3} * store.indices[i]];
+      bounds = include(bounds, Vec3{p[0], p[1], p[2]});
+    }
+    return bounds;
+  }
+  Bounds of_shape(const std::shared_ptr<const Group>& group, const Affine&) {
+    Bounds bounds;
+    for (const Object& member : group->objects) bounds = include(bounds, of(member));
+    return bounds;
+  }
+  Bounds of_shape(const Instance& instance, const Affine& placement) {
+    std::optional<Bounds>& definition = definitions_[instance.definition];
+    if (!definition) definition = of(scene_.definitions[instance.definition]);
+    return transform(placement, *definition);
+  }
+
+  const Scene& scene_;
+  double time_;
+  std::vector<std::optional<Bounds>> definitions_;
+};
+
+struct NameOfShape {
+  std::string operator()(const Sphere&) const { return "sphere"; }
+  std::string operator()(const Box&) const { return "box"; }
+  std::string operator()(const Cylinder&) const { return "cylinder"; }
+  std::string operator()(const TriangleRange& range) const {
+    return range.count == 1 ? "triangle" : fmt::format("{} triangles", range.count);
+  }
+  std::string operator()(const Instance&) const { return "instance"; }
+  std::string operator()(const std::shared_ptr<const Group>& group) const {
+    return fmt::format("group of {}", group->objects.size());
+  }
+};
+
+constexpr std::string_view indent = "             ";
+
+std::string describe_lens(const Camera& camera) {
+  const double aperture = 2 * camera.lens_radius;
+  if (!knows_focal_length(camera)) {
+    return fmt::format("F and n not known, aperture {:g}, focus P {:g}", aperture, camera.focus_distance);
+  }
+  return fmt::format("F {:g}, n {:g}, aperture F/n {:g}, focus P {:g}, image plane V_P {:g}", camera.focal_length,
+                     camera.f_number, aperture, camera.focus_distance, image_plane_distance(camera));
+}
+
+std::string row(const Scene& scene, std::string_view name, double distance) {
+  std::string text = fmt::format("{}{:<20} {:>11.6g}", indent, name, distance + 0.0);
+  if (!(distance > 0)) return text + "  behind the eye\n";
+  const LensBlur blur = lens_blur(scene, distance);
+  if (knows_focal_length(scene.camera)) {
+    return text + fmt::format(" {:>11.6g} {:>11.6g} {:>11.6g} {:>11.6g}\n", blur.image_distance, blur.radius,
+                              blur.circle_of_confusion, blur.radius_in_pixels);
+  }
+  return text + fmt::format(" {:>11.6g} {:>11.6g}\n", blur.radius, blur.radius_in_pixels);
+}
+
+}  // namespace
+
+LensBlur lens_blur(const Scene& scene, double distance) {
+  const Camera& camera = scene.camera;
+  const double focus = camera.focus_distance, focal_length = camera.focal_length;
+  const double radius = camera.lens_radius * std::abs(distance - focus) / focus;
+  const double half_view = std::tan(camera.fov_degrees * std::numbers::pi / 360);
+  LensBlur blur{not_known, radius, not_known,
+                radius * std::min(scene.settings.width, scene.settings.height) / (2 * distance * half_view)};
+  if (knows_focal_length(camera)) {
+    blur.image_distance = image_distance(focal_length, distance);
+    blur.circle_of_confusion = focal_length / camera.f_number * focal_length * std::abs(focus - distance) /
+                               (distance * (focus - focal_length));
+  }
+  return blur;
+}
+
+double image_plane_distance(const Camera& camera) {
+  return knows_focal_length(camera) ? image_distance(camera.focal_length, camera.focus_distance) : not_known;
+}
+
+std::string lens_table(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (!(camera.lens_radius > 0)) return {};
+  const double time = (camera.shutter_open + camera.shutter_close) / 2;
+  std::string text = fmt::format("  {:<10} {}\n", "lens", describe_lens(camera));
+  const std::vector<Object>& objects = scene.root.objects;
+  if (objects.empty()) return text;
+  text += fmt::format("{}D: along the view, of the centre of each object's bounding box at time {:g}\n", indent, time);
+  text += knows_focal_length(camera)
+              ? fmt::format("{}{:<20} {:>11} {:>11} {:>11} {:>11} {:>11}\n", indent, "object", "D", "V_D", "r", "C",
+                            "r in pixels")
+              : fmt::format("{}{:<20} {:>11} {:>11} {:>11}\n", indent, "object", "D", "r", "r in pixels");
+  ObjectBounds bounds_at_time(scene, time);
+  const Vec3 view = -normalize(camera.back);
+  for (std::size_t i = 0; i < std::min(objects.size(), most_rows); i++) {
+    const std::string name = fmt::format("{} {}", i + 1, std::visit(NameOfShape{}, objects[i].shape));
+    const Bounds bounds = bounds_at_time.of(objects[i]);
+    text += is_empty(bounds) ? fmt::format("{}{:<20} {:>11}  nothing in it\n", indent, name, "-")
+                             : row(scene, name, dot((bounds.lo + bounds.hi) / 2 - camera.eye, view));
+  }
+  if (objects.size() > most_rows) text += fmt::format("{}... and {} more\n", indent, objects.size() - most_rows);
+  return text;
+}
+
+}  // namespace penumbra

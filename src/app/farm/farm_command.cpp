@@ -1,0 +1,201 @@
+#include "app/farm/farm_command.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "app/farm/farm_collect.hpp"
+#include "app/farm/farm_submit.hpp"
+#include "app/merge/part_file.hpp"
+#include "app/options/picture_options.hpp"
+#include "base/atomic_file.hpp"
+#include "farm/scripts.hpp"
+#include "farm/slurm.hpp"
+#include "farm/slurm_time.hpp"
+#include "farm/status.hpp"
+#include "farm/survey.hpp"
+#include "picture/option_text.hpp"
+
+namespace penumbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int always = 1'000'000'000;
+
+std::string take_shards(FarmSubmitOptions& options, std::string_view text) {
+  options.shards.reset();
+  if (text == "auto") return {};
+  if (!parse_whole(text, 1, most_shards, options.shards).empty()) {
+    return expected(text, fmt::format("a number from 1 to {}, or auto", most_shards));
+  }
+  return {};
+}
+
+std::string take_minutes(FarmSubmitOptions& options, std::string_view text) {
+  options.minutes = slurm_minutes(std::string(text));
+  return options.minutes ? std::string() : expected(text, "a time such as 30m, 2h, 2:00:00 or 1-12:00");
+}
+
+std::string take_partition(FarmSubmitOptions& options, std::string_view name) {
+  const auto is_good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.,+", c); };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_good)) {
+    return fmt::format("there can be no partition `{}`", name);
+  }
+  options.partition = name;
+  return {};
+}
+
+// The same option, which also keeps its words as they were given, under the name that `render` knows.
+CommandOption keeping_words(CommandOption option, const std::string& name, std::vector<std::string>& words) {
+  const bool is_flag = option.metavar.empty();
+  option.take = [take = std::move(option.take), name, is_flag, &words](std::string_view text) {
+    words.push_back(name);
+    if (!is_flag) words.emplace_back(text);
+    return take(text);
+  };
+  return option;
+}
+
+// `submit` takes what `render` takes, but for what every shard is told in a way of its own.
+Subcommand submit_subcommand(FarmSubmitOptions& options) {
+  constexpr std::array<std::string_view, 14> own = {
+      "--checkpoint", "--every", "--resume", "--time-limit",  "--shard", "--scene-hash", "--progress",
+      "--stats",      "--quiet", "--video",  "--debug-pixel", "--fps",   "--time",       "--frame"};
+  constexpr std::array<std::string_view, 3> of_job = {"SCENE", "-o,--output", "--frames"};
+  const auto is_among = [](const auto& names, const CommandOption& option) {
+    return std::find(names.begin(), names.end(), option.name) != names.end();
+  };
+  Subcommand render = render_subcommand(options.render);
+  Subcommand submit{"submit", "Write the scripts of a job and hand them to Slurm", {}, {}, {}, {}, {}, {}};
+  for (CommandOption& option : render.options) {
+    if (is_among(own, option)) continue;
+    if (option.name == "-o,--output") option.required = true;
+    submit.options.push_back(is_among(of_job, option) ? option : keeping_words(option, option.name, options.words));
+  }
+  CommandOption shutter_time = picture_option(options.render, "time");
+  shutter_time.name = "--shutter-time";
+  shutter_time.help = "The --time of render: freeze the shutter [no]";
+  submit.options.push_back(keeping_words(shutter_time, "--time", options.words));
+  const auto take = [&options](auto set) {
+    return [&options, set](std::string_view text) { return set(options, text); };
+  };
+  submit.options.push_back({"--shards", "N|auto",
+                            "Pieces of each frame, or auto: four for each task that can run at once [auto]",
+                            take(take_shards)});
+  submit.options.push_back({"--partition", "P", "Slurm's partition [Slurm's default]", take(take_partition)});
+  submit.options.push_back({"--time", "T",
+                            "Slurm's time limit of a task, at whose end it saves and resumes in another turn: 30m, 2h "
+                            "[Slurm's default]",
+                            take(take_minutes)});
+  submit.options.push_back(
+      {"--folder", "FOLDER", "The job folder, which all nodes must see [OUT.farm]", into(options.folder)});
+  submit.options.push_back({"--dry-run", "", "Write the scripts and submit nothing [off]", into(options.dry_run)});
+  submit.check = render.check;
+  return submit;
+}
+
+// Runs it and says what Slurm or a file does not allow. The exit codes: 0; 64; 65 where the scene or a part is wrong or
+// parts are missing; 66 where there is no such scene or job; 69 where Slurm does not answer; 73, 74; 75 where the tasks
+// are still at work.
+template <class Run>
+std::function<int()> guarded(Run run) {
+  return [run] {
+    try {
+      return run();
+    } catch (const FileError& error) {
+      fmt::print(stderr, "penumbra: {}\n", error.what());
+      return error.exit_code;
+    } catch (const SlurmError& error) {
+      fmt::print(stderr, "penumbra: Slurm failed: {}\n", error.what());
+      return EX_UNAVAILABLE;
+    }
+  };
+}
+
+constexpr const char* job_help = "The job folder, the picture it makes, or its scene";
+
+// The folder that a user names by its own name, by the picture's, or by that of the scene where that has one job only.
+JobFolder find_job(const std::string& name) {
+  const auto has_job = [](const fs::path& folder) {
+    std::error_code error;
+    return fs::exists(folder / "job.json", error);
+  };
+  if (has_job(name)) return JobFolder(fs::absolute(name));
+  if (has_job(name + ".farm")) return JobFolder(fs::absolute(name + ".farm"));
+  const fs::path scene = fs::absolute(name).lexically_normal();
+  std::vector<fs::path> found;
+  std::vector<fs::path> places = {fs::current_path()};
+  if (scene.parent_path() != places.front()) places.push_back(scene.parent_path());
+  for (const fs::path& place : places) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(place, error)) {
+      if (!has_job(entry.path())) continue;
+      if (fs::path(JobFolder(entry.path()).read_job().scene).lexically_normal() == scene) found.push_back(entry.path());
+    }
+  }
+  if (found.size() == 1) return JobFolder(found.front());
+  if (found.empty()) {
+    throw FileError(EX_NOINPUT, fmt::format("`{}` is neither the folder nor the picture nor the scene of a job; name "
+                                            "the folder, which is PICTURE.farm unless another was chosen",
+                                            name));
+  }
+  throw FileError(EX_NOINPUT, fmt::format("`{}` has several jobs, among them `{}` and `{}`: name one of them", name,
+                                          found[0].string(), found[1].string()));
+}
+
+int farm_status(const FarmStatusOptions& options) {
+  const JobFolder folder = find_job(options.job);
+  const Job job = folder.read_job();
+  std::optional<Queue> queue;
+  std::string silence;
+  try {
+    queue = queue_of(job);
+  } catch (const SlurmError& error) {
+    silence = error.what();
+  }
+  const JobStatus status = status_of(job, folder.read_state(), units_done(job, folder, ends_as_part_file), queue,
+                                     silence, seconds_of_unit(job, folder));
+  const auto now = WallClock::now();
+  fmt::print("{}", options.json ? to_json(job, status, now) : to_text(job, status, now));
+  return 0;
+}
+
+}  // namespace
+
+Subcommand farm_subcommand(FarmOptions& options) {
+  Subcommand submit = submit_subcommand(options.submit);
+  submit.run = guarded([&options] { return farm_submit(options.submit); });
+
+  Subcommand status{"status", "Tell how far a job is", {}, {}, {}, {}, {}, {}};
+  status.options = {{"JOB", "JOB", job_help, into(options.status.job), Times::once, true},
+                    {"--json", "", "As JSON [off]", into(options.status.json)}};
+  status.run = guarded([&options] { return farm_status(options.status); });
+
+  FarmCollectOptions& collected = options.collect;
+  Subcommand collect{"collect", "Put together what a job has rendered, finish what is not", {}, {}, {}, {}, {}, {}};
+  collect.options = {{"JOB", "JOB", job_help, into(collected.job), Times::once, true},
+                     {"--resubmit", "N", "Submit what is missing again, unless that was done N times already [no]",
+                      [&collected](std::string_view text) {
+                        collected.resubmit = always;
+                        return text.empty() ? std::string() : parse_whole(text, 0, always, collected.resubmit);
+                      },
+                      Times::value_optional},
+                     {"--render", "", "Render here what is missing [off]", into(collected.render)}};
+  collect.check = [&collected] {
+    return std::string(collected.render && collected.resubmit ? "--render: leave out --resubmit" : "");
+  };
+  collect.run = guarded([&collected] { return farm_collect(find_job(collected.job), collected); });
+
+  Subcommand farm{"farm", "Render on a cluster: submit, status, collect", {}, {}, {}, {}, {}, {}};
+  farm.subcommands = {submit, status, collect};
+  return farm;
+}
+
+}  // namespace penumbra

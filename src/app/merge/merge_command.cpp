@@ -1,0 +1,63 @@
+#include "app/merge/merge_command.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <cstdio>
+
+#include "app/merge/part_files.hpp"
+#include "base/atomic_file.hpp"
+#include "image/image_file.hpp"
+
+namespace penumbra {
+namespace {
+
+void complain(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
+
+int merge_parts(const MergeOptions& options) {
+  const PartFiles files = read_parts(options.parts);
+  int exit_code = 0;
+  for (const PartFiles::Failure& failure : files.failures) {
+    complain(failure.error.what());
+    exit_code = exit_code == EX_DATAERR ? EX_DATAERR : failure.error.exit_code;
+  }
+  if (!files.parts.empty()) {
+    for (const std::string& sentence : complaints_about(files.parts)) {
+      complain(sentence);
+      exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
+    }
+  }
+  if (exit_code == 0) write_merged(files.parts, options.outputs, options.quiet);
+  return exit_code;
+}
+
+}  // namespace
+
+Subcommand merge_subcommand(MergeOptions& options) {
+  Subcommand merge{"merge", "Put the parts together that `render --shard` wrote", {}, {}, {}, {}, {}, {}};
+  merge.options = {{"PART", "FILE", "The parts of one picture, in any order", into(options.parts), Times::many, true},
+                   {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated",
+                    into(options.outputs), Times::repeated, true},
+                   {"--quiet", "", "Print nothing but errors [off]", into(options.quiet)}};
+  merge.check = [&options] {
+    for (const std::string& output : options.outputs) {
+      if (format_of(output) == ImageFormat::none) {
+        return fmt::format("-o: `{}` ends neither in .png nor in .exr", output);
+      }
+    }
+    return std::string();
+  };
+  merge.run = [&options] { return merge_command(options); };
+  return merge;
+}
+
+int merge_command(const MergeOptions& options) {
+  try {
+    return merge_parts(options);
+  } catch (const FileError& error) {
+    complain(error.what());
+    return error.exit_code;
+  }
+}
+
+}  // namespace penumbra

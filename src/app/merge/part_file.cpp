@@ -1,0 +1,79 @@
+// The file ends with 8 bytes that tell where the sums begin, and 8 that tell what it is.
+#include "app/merge/part_file.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "base/archive.hpp"
+#include "base/atomic_file.hpp"
+#include "image/exr.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view ending = "PENUPART";
+constexpr std::size_t trailer_size = sizeof(std::uint64_t) + ending.size();
+constexpr const char* key = "part-of-picture";
+constexpr std::size_t longest_exr_header = 4096;  // of ours
+
+ImageFile preview(const PartHeader& header, const Film& film) {
+  const TileGrid grid = header.tiles();
+  Image image = make_image(grid.columns(), grid.rows());
+  for (int tile = 0; tile < grid.count(); tile++) {
+    if (!grid.has(header.shard, tile)) continue;
+    const ZeroedVector<float> colors = film.cut(grid.tile(tile)).color();
+    const std::size_t count = colors.size() / 3;
+    const auto pixels = static_cast<float>(count);
+    float* const mean = &image.rgb[3 * static_cast<std::size_t>(tile)];
+    for (std::size_t i = 0; i < colors.size(); i++) mean[i % 3] += colors[i] / pixels;
+  }
+  return whole_picture(std::move(image), {{key, fmt::format("{}/{}", header.shard.index, header.shard.count)}});
+}
+
+bool ends_as_part(std::span<const std::byte> bytes) {
+  return bytes.size() >= trailer_size &&
+         std::equal(ending.begin(), ending.end(), bytes.end() - ending.size(),
+                    [](char letter, std::byte byte) { return static_cast<std::byte>(letter) == byte; });
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_part_file(const PartHeader& header, const Film& film) {
+  std::vector<std::byte> file = encode_exr(preview(header, film));
+  const std::uint64_t start = file.size();
+  const std::vector<std::byte> part = encode_part(header, film);
+  ArchiveWriter trailer;
+  trailer(start);
+  trailer.numbers(std::span(ending));
+  file.insert(file.end(), part.begin(), part.end());
+  file.insert(file.end(), trailer.bytes().begin(), trailer.bytes().end());
+  return file;
+}
+
+std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const std::string& name) {
+  const auto fail = [&name](const char* why) { throw FileError(EX_DATAERR, fmt::format("`{}` {}", name, why)); };
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const bool began_as_part = is_exr(bytes) && text.substr(0, longest_exr_header).find(key) != text.npos;
+  if (!began_as_part) fail("is not a part of a picture, as `penumbra render --shard` writes them");
+  if (!ends_as_part(bytes)) fail("is a torn part of a picture: its end is missing");
+  std::uint64_t start = 0;
+  ArchiveReader trailer(bytes.last(trailer_size));
+  trailer(start);
+  if (start > bytes.size() - trailer_size) fail("is a damaged part of a picture: it does not tell where its tiles are");
+  const auto at = static_cast<std::size_t>(start);
+  return bytes.subspan(at, bytes.size() - trailer_size - at);
+}
+
+bool ends_as_part_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, ending.size()> last{};
+  file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
+  return file.read(last.data(), last.size()) && std::string_view(last.data(), last.size()) == ending;
+}
+
+}  // namespace penumbra

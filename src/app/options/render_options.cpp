@@ -1,0 +1,137 @@
+#include "app/options/render_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "app/options/picture_options.hpp"
+#include "app/render/render_command.hpp"
+#include "base/number_list.hpp"
+#include "image/image_file.hpp"
+#include "picture/option_text.hpp"
+#include "rendering/adaptive.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::array<std::string_view, 5> progress_styles = {"auto", "bar", "plain", "json", "none"};
+
+std::string take_progress(RenderOptions& options, std::string_view text) {
+  const auto found = std::find(progress_styles.begin(), progress_styles.end(), text);
+  if (found == progress_styles.end()) return expected(text, "auto, bar, plain, json or none");
+  options.progress = static_cast<ProgressStyle>(found - progress_styles.begin());
+  return {};
+}
+
+std::string take_debug_pixel(RenderOptions& options, std::string_view text) {
+  const std::vector<int> n = whole_numbers(text, ',');
+  if (n.size() != 3 || n[0] < 0 || n[1] < 0 || n[2] < 0) {
+    return expected(text, "x,y,sample, all counted from 0, x and y from the top left");
+  }
+  options.debug_pixel = DebugPixel{n[0], n[1], n[2]};
+  return {};
+}
+
+std::string take_frames_per_second(RenderOptions& options, std::string_view text) {
+  std::optional<double> number;
+  std::string wrong = parse_number(text, 0.1, 1000, "a number from 0.1 to 1000", number);
+  if (number) options.frames_per_second = *number;
+  return wrong;
+}
+
+std::string check_frames(const RenderOptions& options) {
+  if (!options.frames) {
+    if (options.frame) return "--frame: it is one of --frames";
+    return options.video.empty() ? "" : "--video: it is made of --frames";
+  }
+  const FrameRange& range = *options.frames;
+  if (options.frame && (*options.frame < range.first || *options.frame > range.last)) {
+    return fmt::format("--frame: {} is none of the frames {}-{}", *options.frame, range.first, range.last);
+  }
+  if (options.video.empty()) return {};
+  if (std::filesystem::path(options.video).extension() != ".mp4") {
+    return fmt::format("--video: `{}` does not end in .mp4", options.video);
+  }
+  if (options.frame) return "--video: a video is made of all frames; leave out --frame";
+  if (options.session.shard) return "--video: a shard is only a part of each frame; leave out --video";
+  return {};
+}
+
+std::string check_session(const RenderOptions& options) {
+  const RenderSessionOptions& session = options.session;
+  if (session.resume && session.checkpoint.empty() && !session.animation) {
+    return "--resume: there is nothing to resume without --checkpoint or --frames";
+  }
+  if (options.debug_pixel &&
+      (!session.checkpoint.empty() || session.time_limit || session.shard || !options.video.empty())) {
+    return "--debug-pixel: nothing is rendered; leave out --checkpoint, --time-limit, --shard and --video";
+  }
+  return {};
+}
+
+std::string check_outputs(const RenderOptions& options) {
+  bool any_exr = false;
+  for (const std::string& output : options.outputs) {
+    const ImageFormat format = format_of(output);
+    any_exr |= format == ImageFormat::exr;
+    if (format == ImageFormat::none) return fmt::format("-o: `{}` ends neither in .png nor in .exr", output);
+  }
+  if (options.session.shard && (options.outputs.size() != 1 || !any_exr)) {
+    return "--shard: a shard is written to one file, which ends in .exr: -o PART.exr";
+  }
+  if (options.layers.any() && !any_exr) {
+    return "--aov: layers are written to EXR files only: name one with -o OUT.exr";
+  }
+  return {};
+}
+
+std::string check_noise(const RenderOptions& options) {
+  if (options.noise && options.rays && *options.rays < static_cast<int>(fewest_adaptive_rays)) {
+    return fmt::format("--rays: with --noise it is the most rays a pixel gets, {} at least", fewest_adaptive_rays);
+  }
+  if (options.noise && options.regular_lights) {
+    return "--sampler-light: a regular set is made for one number of rays; leave out --noise";
+  }
+  return {};
+}
+
+std::string check(RenderOptions& options) {
+  options.session.animation = options.frames.has_value();
+  for (const auto& part : {check_frames, check_session, check_outputs, check_noise}) {
+    if (std::string wrong = part(options); !wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+}  // namespace
+
+Subcommand render_subcommand(RenderOptions& options) {
+  Subcommand render{"render", "Render the pictures of a scene", {}, {}, {}, {}, {}, {}};
+  std::vector<CommandOption>& all = render.options;
+  const auto add = [&all](std::vector<CommandOption> more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  add({{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
+       {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated", into(options.outputs),
+        Times::repeated}});
+  add(render_picture_options(options));
+  add({{"--debug-pixel", "x,y,sample",
+        "Render nothing; print all rays of one sample of one pixel, each with what it hit and what came back [off]",
+        [&options](std::string_view text) { return take_debug_pixel(options, text); }}});
+  add(machine_options(options.machine));
+  add({{"--progress", "STYLE", "How to show progress: auto, bar, plain, json, none [auto]",
+        [&options](std::string_view text) { return take_progress(options, text); }}});
+  add(session_options(options.session));
+  add({{"--video", "FILE.mp4", "All frames as a video too, .mp4, by means of ffmpeg [none]", into(options.video)},
+       {"--fps", "N", "Frames of the video in a second [24]",
+        [&options](std::string_view text) { return take_frames_per_second(options, text); }},
+       {"--stats", "FILE.json", "Write what the render did, as JSON [no]", into(options.stats)},
+       {"--quiet", "", "Print nothing but errors [off]", into(options.quiet)}});
+  render.check = [&options] { return check(options); };
+  render.run = [&options] { return render_command(options); };
+  return render;
+}
+
+}  // namespace penumbra

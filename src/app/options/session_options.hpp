@@ -1,0 +1,30 @@
+// The options of renders that take longer than one session or more than one machine.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/command_line.hpp"
+#include "rendering/shard.hpp"
+
+namespace penumbra {
+
+inline constexpr double longest_duration = 1e8;  // seconds
+
+struct RenderSessionOptions {
+  std::string checkpoint;            // the file; empty: none
+  double every = 30;                 // seconds between two checkpoints
+  bool resume = false;               // from the checkpoint, if there is one
+  std::optional<double> time_limit;  // seconds
+  std::optional<Shard> shard;
+  std::string scene_hash;  // what the scene's files must have, in hexadecimal digits; empty: anything
+  bool animation = false;  // finished frames remain, so it can be resumed without a checkpoint
+
+  // Whether there is anything to do when the render is interrupted.
+  bool can_be_interrupted() const { return !checkpoint.empty() || time_limit.has_value() || animation; }
+};
+
+std::vector<CommandOption> session_options(RenderSessionOptions& options);
+
+}  // namespace penumbra

@@ -1,0 +1,48 @@
+#include "app/render/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace penumbra {
+namespace {
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number) {
+  const std::string name = fmt::format("{}-{}{}", file.stem().string(), number, file.extension().string());
+  return file.parent_path() / name;
+}
+
+}  // namespace
+
+std::filesystem::path with_frame_number(const std::filesystem::path& file, const FrameOfRange& frame) {
+  const std::string name = fmt::format("{}.{:0{}}{}", file.stem().string(), frame.frame, frame_digits(frame.last),
+                                       file.extension().string());
+  return file.parent_path() / name;
+}
+
+int frame_digits(int last_frame) { return std::max(static_cast<int>(fmt::formatted_size("{}", last_frame)), 4); }
+
+std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<Action>& actions,
+                                                             const std::filesystem::path& scene,
+                                                             const std::vector<std::string>& outputs) {
+  const auto is_picture = [](const Action& a) { return std::holds_alternative<Picture>(a); };
+  const bool several = std::count_if(actions.begin(), actions.end(), is_picture) > 1;
+  std::vector<std::vector<std::filesystem::path>> files;
+  int renders = 0;
+  for (const Action& action : actions) {
+    if (!is_picture(action)) continue;
+    const int number = static_cast<int>(files.size()) + 1;
+    std::vector<std::filesystem::path>& of_picture = files.emplace_back();
+    for (const std::string& output : outputs) {
+      of_picture.push_back(several ? numbered(output, number) : std::filesystem::path(output));
+    }
+    if (!outputs.empty()) continue;
+    const std::string& name = std::get<Picture>(action).file;
+    const std::filesystem::path own = scene.stem().string() + ".png";
+    if (name.empty()) renders++;
+    of_picture.push_back(!name.empty() ? std::filesystem::path(name) : renders > 1 ? numbered(own, renders) : own);
+  }
+  return files;
+}
+
+}  // namespace penumbra

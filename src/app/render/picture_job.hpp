@@ -1,0 +1,28 @@
+// One picture of a scene file, ready to be rendered: what it is made of, and what that is called.
+#pragma once
+
+#include <memory>
+
+#include "app/options/render_options.hpp"
+#include "language/scene_file.hpp"
+#include "picture/development.hpp"
+#include "rendering/picture_key.hpp"
+#include "rendering/resumable_render.hpp"
+
+namespace penumbra {
+
+struct PictureJob {
+  Scene scene;  // with the options
+  Plan plan;
+  Development development;
+  PictureKey key;
+};
+
+// Picture `number` of the file, from 1, with the options of the current frame.
+PictureJob picture_job(const RenderOptions& options, const SceneFile& file, const Picture& picture, int number);
+
+// The render of a job whose scene was made into `frame`, which has to outlive it, as has the kernel.
+std::unique_ptr<ResumableRender> render_of(const PictureJob& job, const RenderOptions& options, const Frame& frame,
+                                           const Kernel& kernel);
+
+}  // namespace penumbra

@@ -1,0 +1,42 @@
+// Shows on standard error how far a render is, from a thread of its own, until it goes out of scope.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+#include "app/options/render_options.hpp"
+#include "rendering/render.hpp"
+
+namespace penumbra {
+
+class Progress {
+ public:
+  // `total` is in pixel samples, as in RenderState, and counts until the state expects another number. Style
+  // `automatic` is a bar on a terminal, plain lines elsewhere.
+  Progress(ProgressStyle style, const RenderState& state, std::uint64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+ private:
+  void run();
+  void show(bool last);
+
+  ProgressStyle style_;
+  const RenderState& state_;
+  std::uint64_t total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool shown_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false;
+  std::jthread thread_;
+};
+
+// Seconds as a person says them: "0.24 s", "75 s", "12 min", "3 h 05 min".
+std::string duration_text(double seconds);
+
+}  // namespace penumbra

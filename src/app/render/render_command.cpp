@@ -1,0 +1,234 @@
+#include "app/render/render_command.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+#include "app/render/picture_files.hpp"
+#include "app/render/picture_job.hpp"
+#include "app/render/progress.hpp"
+#include "app/render/scene_frames.hpp"
+#include "app/render/stats.hpp"
+#include "app/render/video.hpp"
+#include "app/sessions/render_session.hpp"
+#include "base/atomic_file.hpp"
+#include "base/version.hpp"
+#include "picture/ray_tree_text.hpp"
+
+namespace penumbra {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Files = std::vector<std::filesystem::path>;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Of all threads since the program started. Where others use the processor too, this says more than time by the clock.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+// Whether checkpoints, finished frames or a farm have to tell by the hash whether the files are the same.
+bool needs_hash(const RenderOptions& options) {
+  return !options.session.checkpoint.empty() || options.session.shard || options.frames;
+}
+
+std::string frames_in_words(const PictureOptions& options) {
+  return options.frames ? fmt::format("{}-{}", options.frames->first, options.frames->last) : not_given;
+}
+
+// All pictures of a command, frame by frame.
+class RenderRun {
+ public:
+  RenderRun(const RenderOptions& options, const Kernel& kernel)
+      : asked_(options),
+        kernel_(kernel),
+        session_(options.session, start_, options.quiet),
+        scenes_(options, needs_hash(options)) {}
+
+  int run() {
+    const std::filesystem::path ffmpeg = asked_.video.empty() ? std::filesystem::path() : find_ffmpeg();
+    if (const int code = scenes_.check()) return code;
+    bool finished = true;
+    bool first = true;
+    for (const std::optional<int>& frame : scenes_.frames()) {
+      if (!finished) break;
+      scenes_.go_to(frame);
+      if (first) session_.require_scene(version, scenes_.file().hash, frames_in_words(scenes_.options()));
+      first = false;
+      finished = render_file();
+    }
+    stats_.parse_seconds = scenes_.seconds();
+    if (!asked_.stats.empty()) write_output(asked_.stats, bytes_of(to_json(stats_)));
+    if (!finished) {
+      fmt::print(stderr, "penumbra: {}\n", session_.why());
+      return EX_TEMPFAIL;
+    }
+    session_.finish();
+    if (!asked_.video.empty()) {
+      write_video(asked_.video, first_files_, asked_.frames_per_second, ffmpeg);
+      if (!asked_.quiet) fmt::print(stderr, "{}: {} frames\n", asked_.video, first_files_.size());
+    }
+    return EX_OK;
+  }
+
+ private:
+  // Does what the scene says, in its order. False if it was interrupted.
+  bool render_file() {
+    int number = 0;
+    Clock::time_point timer = start_;
+    const auto outputs = scenes_.outputs();
+    for (const Action& action : scenes_.file().actions) {
+      if (std::holds_alternative<ResetTimer>(action)) {
+        timer = Clock::now();
+      } else if (std::holds_alternative<PrintTimer>(action)) {
+        fmt::print("seconds: {:.3f}\n", seconds_since(timer));
+        std::fflush(stdout);
+      } else {
+        const Files& files = outputs[static_cast<std::size_t>(number++)];
+        const PictureJob job = picture_job(scenes_.options(), scenes_.file(), std::get<Picture>(action), number);
+        if (!asked_.video.empty()) first_files_.push_back(files.front());
+        if (is_finished(job, files)) continue;
+        if (asked_.frames && session_.is_over()) return false;
+        if (!render_picture(job, files)) return false;
+      }
+    }
+    return true;
+  }
+
+  // Whether an earlier run has finished the picture. Of a frame, its files tell it.
+  bool is_finished(const PictureJob& job, const Files& files) const {
+    const auto exists = [](const auto& file) {
+      std::error_code error;
+      return std::filesystem::exists(file, error);
+    };
+    if (!asked_.frames) {
+      return session_.has_finished(job.key.picture) && std::all_of(files.begin(), files.end(), exists);
+    }
+    if (!asked_.session.resume) return false;
+    const bool is_part = asked_.session.shard.has_value();
+    const bool finished =
+        std::all_of(files.begin(), files.end(), [&](const auto& file) { return is_finished_file(file, job, is_part); });
+    if (!asked_.quiet && (finished || exists(files.front()))) {
+      fmt::print(
+          stderr, "{}: {}\n", files.front().string(),
+          finished ? "finished before" : "not the finished frame of this scene and these options: it is rendered");
+    }
+    return finished;
+  }
+
+  // False if it was interrupted: the files then show the picture as it stands.
+  bool render_picture(const PictureJob& job, const Files& files) {
+    Clock::time_point start = Clock::now();
+    const Frame frame = make_frame(job.scene, job.plan.threads);
+    stats_.build_seconds += seconds_since(start);
+    if (asked_.debug_pixel) {
+      print_rays(frame, *asked_.debug_pixel);
+      return true;
+    }
+
+    const std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
+    const std::uint64_t pixels = pixel_count(tiles_of(job.plan.crop, asked_.sample_counts()), job.plan.shard);
+    RenderState state;
+    bool finished = false;
+    {
+      const std::uint64_t samples = pixels * static_cast<std::uint64_t>(frame.settings.rays_per_pixel);
+      const Progress progress(asked_.quiet ? ProgressStyle::none : asked_.progress, state, samples);
+      const double cpu_start = cpu_seconds();
+      finished = session_.run(*render, job.key, state);
+      stats_.render_cpu_seconds += cpu_seconds() - cpu_start;
+    }
+    add_to_stats(frame, job.plan);
+    if (render->unfinished_pixels() > 0 && !asked_.quiet) {
+      fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
+                 render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise);
+    }
+
+    start = Clock::now();
+    write(job, render->take_film(), finished, files, static_cast<double>(pixels));
+    stats_.write_seconds += seconds_since(start);
+    return finished;
+  }
+
+  void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) const {
+    const double rays_per_pixel = static_cast<double>(film.total_samples()) / pixels;
+    encode_files(job, std::move(film), finished, asked_.session.shard.has_value(), files,
+                 [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
+                   write_output(path, bytes);
+                   if (!asked_.quiet) print_written(path, job.plan, rays_per_pixel);
+                 });
+  }
+
+  void write_output(const std::filesystem::path& path, std::span<const std::byte> bytes) const {
+    write_file_atomically(path, bytes);
+    // The checkpoint is removed next; a power cut must not keep that and lose the file.
+    if (!asked_.session.checkpoint.empty()) force_folder_of(path);
+  }
+
+  void print_written(const std::filesystem::path& path, const Plan& plan, double rays_per_pixel) const {
+    const Spent& spent = session_.spent();
+    const std::string rays = asked_.noise ? fmt::format("{:.1f} rays per pixel on average", rays_per_pixel)
+                                          : fmt::format("{} rays per pixel", std::round(10 * rays_per_pixel) / 10);
+    fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
+               plan.crop.height(), rays, duration_text(spent.seconds),
+               static_cast<double>(spent.rays.total()) / std::max(spent.seconds, 1e-9) * 1e-6);
+  }
+
+  void print_rays(const Frame& frame, const DebugPixel& pixel) const {
+    const auto sample = static_cast<std::uint32_t>(pixel.sample);
+    const auto count = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
+    const RayTree tree = trace_sample(frame, kernel_, pixel.x, pixel.y, sample, count);
+    fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
+  }
+
+  void add_to_stats(const Frame& frame, const Plan& plan) {
+    const Spent& spent = session_.spent();
+    stats_.rays += spent.rays;
+    stats_.samples += spent.rays.camera;
+    stats_.render_seconds += spent.seconds;
+    stats_.threads = plan.threads;
+    stats_.lanes = kernel_.lanes;
+    stats_.isa = kernel_.isa;
+    stats_.settings = frame.settings;
+    stats_.noise = asked_.noise;
+    stats_.shapes = frame.world.shape_count;
+    stats_.triangles = frame.world.triangle_count;
+    stats_.instances = frame.world.instance_count;
+    stats_.lights = frame.lights.size();
+  }
+
+  const Clock::time_point start_ = Clock::now();
+  const RenderOptions& asked_;
+  const Kernel& kernel_;
+  RenderSession session_;
+  SceneFrames scenes_;
+  Files first_files_;  // of each frame, for the video
+  RenderStats stats_;
+};
+
+}  // namespace
+
+int render_command(const RenderOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::exists(options.scene, error)) {
+    fmt::print(stderr, "penumbra: there is no scene file `{}`\n", options.scene);
+    return EX_NOINPUT;
+  }
+  const Kernel* const kernel = kernel_of(options.machine);
+  if (!kernel) return EX_SOFTWARE;
+  try {
+    return RenderRun(options, *kernel).run();
+  } catch (const FileError& e) {
+    fmt::print(stderr, "penumbra: {}\n", e.what());
+    return e.exit_code;
+  }
+}
+
+}  // namespace penumbra

@@ -1,0 +1,92 @@
+#include "app/render/scene_frames.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/render/outputs.hpp"
+#include "app/render/render_checks.hpp"
+#include "base/atomic_file.hpp"
+
+namespace penumbra {
+namespace {
+
+std::vector<std::optional<int>> frames_to_render(const PictureOptions& options) {
+  if (!options.frames) return {std::nullopt};
+  if (options.frame) return {options.frame};
+  std::vector<std::optional<int>> frames;
+  const FrameRange& range = *options.frames;
+  for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {
+    frames.emplace_back(static_cast<int>(frame));
+  }
+  return frames;
+}
+
+}  // namespace
+
+SceneFrames::SceneFrames(const RenderOptions& options, bool hash)
+    : options_(options), hash_(hash || !options.session.scene_hash.empty()), frames_(frames_to_render(options)) {
+  if (options_.frames) options_.frames->step = 1;  // which frames are rendered does not change any of them
+}
+
+void SceneFrames::go_to(std::optional<int> frame) {
+  options_.frame = frame;
+  if (is_read_ && (!file_.varies || frame == read_frame_)) return;
+  ReadOptions read_options{.course = options_.course, .lenient = options_.lenient, .hash = hash_};
+  if (const auto of_range = options_.frame_of_range()) {
+    read_options.moment = {static_cast<double>(of_range->frame), of_range->time_at(0)};
+  }
+  const auto start = std::chrono::steady_clock::now();
+  file_ = read_scene(options_.scene, read_options);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  is_read_ = true;
+  read_frame_ = frame;
+}
+
+int SceneFrames::check(const std::function<void()>& visit) {
+  for (std::size_t i = 0; i < frames_.size(); i++) {
+    go_to(frames_[i]);
+    const bool first = i == 0;
+    if (first || file_.varies) {
+      if (const int code = check_current(first)) return code;
+    }
+    if (visit) visit();
+  }
+  return EX_OK;
+}
+
+int SceneFrames::check_current(bool first) {
+  const bool wrong = has_error(file_.diagnostics);
+  if (wrong && file_.varies && options_.frame) fmt::print(stderr, "penumbra: in frame {}:\n", *options_.frame);
+  for (const Diagnostic& diagnostic : file_.diagnostics) {
+    const bool is_new = first && !options_.quiet;
+    if (is_new || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
+  }
+  if (!file_.found) return EX_NOINPUT;
+  if (wrong) return EX_DATAERR;
+  require_hash();
+  return check_before_rendering(options_, file_.actions, outputs());
+}
+
+void SceneFrames::require_hash() const {
+  const std::string& wanted = options_.session.scene_hash;
+  if (wanted.empty() || to_hex(file_.hash) == wanted) return;
+  throw FileError(EX_DATAERR, fmt::format("`{}`, or a file that it reads, has changed: the hash of its files is {}, "
+                                          "and {} is asked for",
+                                          options_.scene, to_hex(file_.hash), wanted));
+}
+
+std::vector<std::vector<std::filesystem::path>> SceneFrames::outputs() const {
+  auto files = output_files(file_.actions, options_.scene, options_.outputs);
+  const auto frame = options_.frame_of_range();
+  if (!frame) return files;
+  for (auto& of_picture : files) {
+    for (std::filesystem::path& file : of_picture) file = with_frame_number(file, *frame);
+  }
+  return files;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,34 @@
+#include "app/view/view_command.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace penumbra {
+Subcommand view_subcommand() {
+  Subcommand view{"view", "Open a window: see the picture grow, change the scene, ask a pixel why", {}, {}, {}, {}, {},
+                  {}};
+  view.hand_over = view_command;
+  return view;
+}
+
+int view_command(const std::vector<std::string>& arguments) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string program = (self.parent_path() / window_program).string();
+  std::vector<char*> words = {const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  ::execv(program.c_str(), words.data());
+  fmt::print(stderr,
+             "penumbra: the window's program `{}` cannot be started ({}); use `penumbra render SCENE.cli -o OUT.png`\n",
+             program, std::generic_category().message(errno));
+  return EX_UNAVAILABLE;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,103 @@
+// The program of the window, which `penumbra view` starts.
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/options/command_line.hpp"
+#include "app/options/machine_options.hpp"
+#include "app/options/picture_options.hpp"
+#include "base/large_heap.hpp"
+#include "base/number_list.hpp"
+#include "picture/option_text.hpp"
+#include "viewer/scene_folder.hpp"
+#include "viewer/window/run_window.hpp"
+
+namespace penumbra {
+namespace {
+
+struct ViewOptions {
+  SessionOptions session;
+  MachineOptions machine;
+  WindowOptions window;
+  std::string given = ".";
+};
+
+std::string take_window_size(WindowOptions& window, std::string_view text) {
+  const std::vector<int> n = whole_numbers(text, 'x');
+  if (n.size() != 2 || n[0] < 480 || n[1] < 320 || n[0] > 16384 || n[1] > 16384) {
+    return expected(text, "WxH from 480x320 to 16384x16384");
+  }
+  window.width = n[0];
+  window.height = n[1];
+  return {};
+}
+
+int say_no_display(const ViewOptions& options, const char* why) {
+  const std::filesystem::path scene = first_scene(options.given);
+  fmt::print(stderr, "penumbra: there is no display to open a window on ({}); use `penumbra render {} -o OUT.png`\n",
+             why, scene.empty() ? "SCENE.cli" : scene.string());
+  return EX_UNAVAILABLE;
+}
+
+int open_window(ViewOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::exists(options.given, error)) {
+    fmt::print(stderr, "penumbra: there is no scene file or folder `{}`\n", options.given);
+    return EX_NOINPUT;
+  }
+  options.session.kernel = kernel_of(options.machine);
+  if (!options.session.kernel) return EX_SOFTWARE;
+  options.session.threads = threads_of(options.machine);
+  options.session.given = options.given;
+  try {
+    run_window(options.session, options.window);
+  } catch (const NoDisplay& e) {
+    return say_no_display(options, e.what());
+  }
+  return EX_OK;
+}
+
+int run(int argc, char** argv) {
+  ViewOptions options;
+  Subcommand view{"penumbra view",
+                  "The window: see the picture grow, change the scene, ask a pixel why. H lists the keys.",
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
+  view.options = view_picture_options(options.session.picture);
+  view.options.insert(
+      view.options.begin(),
+      {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
+  for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
+  view.options.push_back({"--window", "WxH", "Pixels of the window at first, WxH [1280x760]",
+                          [&options](std::string_view text) { return take_window_size(options.window, text); }});
+  view.options.push_back({"--report", "FILE", "",
+                          [&options](std::string_view file) {
+                            options.window.report = file;
+                            return std::string();
+                          },
+                          Times::once, false, true});
+  view.run = [&options] { return open_window(options); };
+  return run_command_line(view, argc, argv);
+}
+
+}  // namespace
+}  // namespace penumbra
+
+int main(int argc, char** argv) {
+  penumbra::use_large_heap();
+  try {
+    return penumbra::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "penumbra: not enough memory\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "penumbra: {}\n", e.what());
+  }
+  return EX_SOFTWARE;
+}

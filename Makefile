@@ -92,7 +92,7 @@ format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
 docs: build
-	@cmake --build --preset $(PRESET) --target language_page
+	@cmake --build --preset $(PRESET) --target language_page options_page
 	@scripts/make-pictures.sh $(BUILD)/penumbra
 	@scripts/install-dependencies.sh test
 	@scripts/make-window-pictures.py $(BUILD)/penumbra

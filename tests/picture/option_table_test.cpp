@@ -9,7 +9,9 @@
 #include "app/options/picture_options.hpp"
 #include "app/options/render_options.hpp"
 #include "base/command_line.hpp"
+#include "base/test_folder.hpp"
 #include "picture/metadata.hpp"
+#include "picture/option_page.hpp"
 #include "picture/scene_lines.hpp"
 #include "rendering/render_text.hpp"
 
@@ -159,6 +161,15 @@ TEST(OptionTable, TheCommandLineTakesEveryRow) {
     if (row.name == "noise") asked.rays.reset();
     EXPECT_EQ(asked, parsed(row, text)) << row.name << ' ' << text;
   });
+}
+
+TEST(OptionTable, TheReferencePageIsThatOfTheTable) {
+  const std::string page = test::content_of(std::filesystem::path(PENUMBRA_ROOT) / "docs/options.md");
+  EXPECT_TRUE(page == options_markdown()) << "`make docs` writes docs/options.md from the table";
+  for (const PictureOption& row : option_table()) {
+    EXPECT_NE(page.find("`--" + std::string(row.name)), page.npos) << row.name;
+    EXPECT_TRUE(row.help.ends_with(']')) << row.name << " does not say in brackets what counts without it";
+  }
 }
 
 TEST(OptionTable, WrongTextsAreRefusedWithASentence) {

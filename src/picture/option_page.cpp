@@ -1,0 +1,68 @@
+#include "picture/option_page.hpp"
+
+#include <fmt/format.h>
+
+#include "picture/option_table.hpp"
+
+namespace penumbra {
+namespace {
+
+constexpr std::string_view introduction = R"(# Options that change a picture
+
+*This page is generated from the table of options (`make docs`).*
+
+`penumbra render` takes all of them. `penumbra view` takes those that the last column does not reserve to `render`, and
+`penumbra check` takes `--course` and `--lenient`. The command line wins over the scene. A picture file carries the
+options it was made with as metadata, under the same names, so that the same command makes the same file again; the key
+**C** of the window copies what was changed as lines of the scene language.
+
+The options that change only how a picture is made (threads, progress, checkpoints, shards, files) are listed by
+`penumbra render --help`.
+
+| option | meaning | without it | in a scene | where |
+| --- | --- | --- | --- | --- |
+)";
+
+constexpr std::string_view ending = R"(
+Limits: pictures have 1 to {} pixels a side and at most {} in all; 1 to {} rays go through a pixel; a hit of an eye ray
+sends 1 to {} rays of a kind; the depth of rays is 0 to {}.
+)";
+
+std::string with_escaped_bars(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+const char* where(OptionUse use) {
+  switch (use) {
+    case OptionUse::everywhere:
+      return "";
+    case OptionUse::render:
+      return "`render`";
+    case OptionUse::sums_only:
+      return "`render`; not in metadata";
+    case OptionUse::output_only:
+      return "`render`; not in metadata";
+  }
+  return "";
+}
+
+std::string row_of(const PictureOption& row) {
+  const std::size_t bracket = row.help.rfind(" [");
+  const std::string value = row.metavar.empty() ? std::string() : fmt::format(" {}", row.metavar);
+  const std::string command = row.command.empty() ? std::string("no command") : fmt::format("`{}`", row.command);
+  return with_escaped_bars(fmt::format("`--{}{}`", row.name, value)) + " | " +
+         with_escaped_bars(row.help.substr(0, bracket)) + " | " +
+         row.help.substr(bracket + 2, row.help.size() - bracket - 3) + " | " + command + " | " + where(row.use);
+}
+
+}  // namespace
+
+std::string options_markdown() {
+  std::string page(introduction);
+  for (const PictureOption& row : option_table()) page += "| " + row_of(row) + " |\n";
+  return page + fmt::format(ending, most_side, most_pixels, most_rays_per_pixel, most_hit_rays, most_depth);
+}
+
+}  // namespace penumbra

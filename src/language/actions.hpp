@@ -14,6 +14,7 @@ void render(Reading&, const Call&);
 void read(Reading&, const Call&);
 void reset_timer(Reading&, const Call&);
 void print_timer(Reading&, const Call&);
+void course(Reading&, const Call&);
 void color(Reading&, const Call&);
 void rect(Reading&, const Call&);
 
@@ -34,11 +35,14 @@ void shadow_rays(Reading& reading, const Call& call);
 
 // light_actions.cpp
 void point_light(Reading&, const Call&);
+void light_of_2018(Reading&, const Call&);
 void disk_light(Reading&, const Call&);
 void spotlight(Reading&, const Call&);
 
 // surface_actions.cpp
 void surface(Reading&, const Call&);
+void surface_of_2018(Reading&, const Call&);
+void highlight(Reading&, const Call&);
 void diffuse(Reading&, const Call&);
 void reflective(Reading&, const Call&);
 void shiny(Reading&, const Call&);
@@ -55,6 +59,7 @@ void vertex(Reading&, const Call&);
 void texture_coord(Reading&, const Call&);
 void end(Reading&, const Call&);
 void sphere(Reading&, const Call&);
+void sphere_of_2018(Reading&, const Call&);
 void moving_sphere(Reading&, const Call&);
 void box(Reading&, const Call&);
 void cylinder(Reading&, const Call&);

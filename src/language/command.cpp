@@ -40,8 +40,13 @@ std::string what_a_form_takes(const Form& form) {
 
 }  // namespace
 
-const Command* find_command(std::string_view name) {
+const Command* find_command(std::string_view name, bool of_2018) {
   if (name.empty()) return nullptr;
+  if (of_2018) {
+    for (const Command& command : commands_of_2018()) {
+      if (command.name == name) return &command;
+    }
+  }
   static const std::array<std::uint8_t, slots> index = make_index();
   const std::span<const Command> commands = all_commands();
   for (std::size_t slot = hash_of(name); index[slot] != empty_slot; slot = (slot + 1) % slots) {

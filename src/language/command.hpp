@@ -83,8 +83,11 @@ struct Call {
 // All commands, in the order of the reference page.
 std::span<const Command> all_commands();
 
-// The command of that name; null if there is none.
-const Command* find_command(std::string_view name);
+// The command of that name; null if there is none. `of_2018`: in the order of that year.
+const Command* find_command(std::string_view name, bool of_2018 = false);
+
+// Those that have other arguments in 2018.
+std::span<const Command> commands_of_2018();
 
 // The command whose name is nearest to `word`; empty if none is near.
 std::string_view nearest_command(std::string_view word);

@@ -26,7 +26,7 @@ constexpr Argument dr = number("dr"), dg = number("dg"), db = number("db");
 constexpr Argument ar = number("ar"), ag = number("ag"), ab = number("ab");
 constexpr Argument sr = number("sr"), sg = number("sg"), sb = number("sb");
 constexpr Argument k_refl = number("k_refl"), k_trans = number("k_trans");
-constexpr Argument spec_pow = zero_or_more("spec_pow"), index = above_zero("index");
+constexpr Argument spec_pow = zero_or_more("spec_pow"), index = zero_or_more("index");
 constexpr Argument gloss_radius = zero_or_more("gloss_radius"), blur_radius = zero_or_more("blur_radius");
 constexpr Argument radius = above_zero("radius"), light_radius = zero_or_more("radius");
 constexpr Argument degrees = number("degrees");
@@ -42,6 +42,8 @@ constexpr Argument field = {.name = "degrees", .low = 0, .high = 180, .above_low
 constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
 constexpr Argument name = {.name = "name", .kind = Kind::name};
+constexpr Argument year = {.name = "year", .kind = Kind::name}, word = {.name = "word", .kind = Kind::name};
+constexpr Argument which = {.name = "blinn|phong", .kind = Kind::name};
 constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
 constexpr Argument rays = whole("n", 1, most_rays_per_pixel), depth = whole("n", 0, most_depth),
                    any_seed = whole("n", 0, 4294967295.0);
@@ -65,6 +67,10 @@ using enum Section;
 constexpr bool no = false;  // not between `begin` and `end`
 
 constexpr std::array table{
+    Command{"course", output, Forms(form<>, form<year>),
+            "the course's own picture, to the pixel, as with --course; of a year that drew some things in its own way: "
+            "2015, 2017, 2018 or 2022; before every other command",
+            actions::course},
     Command{"background", output, takes<r, g, b>, "the colour of a ray that hits nothing; black if not given",
             actions::background},
     Command{"image_size", output, takes<pixels_w, pixels_h>, "width and height of the picture in pixels; 300 300",
@@ -138,6 +144,10 @@ constexpr std::array table{
     Command{"translucent", surfaces,
             takes<dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius, k_trans, index, blur_radius>,
             "as `glossy`, and light comes through, blurred by blur_radius", actions::translucent},
+    Command{"highlight", surfaces, takes<which>,
+            "the highlight of the `surface` and `shiny` that follow, where they have specular: max(0, N.H)^spec_pow or "
+            "max(0, R.V)^spec_pow; blinn",
+            actions::highlight},
     Command{"noise", surfaces, takes<scale>, "solid noise in grey instead of the diffuse colour", actions::noise},
     Command{"wood", surfaces, none, "solid wood instead of the diffuse colour, with its rings round the x axis",
             actions::wood},
@@ -145,7 +155,8 @@ constexpr std::array table{
     Command{"stone", surfaces, none, "solid coloured stones in grey mortar instead of the diffuse colour",
             actions::stone},
 
-    Command{"begin", shapes, none, "starts a triangle or a convex polygon", actions::begin},
+    Command{"begin", shapes, Forms(form<>, form<word>),
+            "starts a triangle or a convex polygon; a word behind it is ignored", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
     Command{"texture_coord", shapes, takes<u, v>, "accepted, and of no effect", actions::texture_coord},
     Command{"end", shapes, none, "ends it; more than three corners are split as a fan", actions::end},
@@ -188,6 +199,13 @@ constexpr std::array table{
     Command{"rotatez", matrix, takes<degrees>, "turn about the z axis", actions::rotate_z},
 };
 
+constexpr std::array table_of_2018{
+    Command{"light", lights, takes<r, g, b, x, y, z>, "a point light", actions::light_of_2018},
+    Command{"surface", surfaces, Forms(form<dr, dg, db>, form<ar, ag, ab, dr, dg, db, sr, sg, sb, spec_pow, k_refl>),
+            "diffuse only; or with ambient first", actions::surface_of_2018},
+    Command{"sphere", shapes, takes<x, y, z, radius>, "a sphere round the point x y z", actions::sphere_of_2018, no},
+};
+
 constexpr bool has_room_in_call(const Command& command) {
   return std::ranges::all_of(command.forms.form, [](const Form& form) { return form.count() <= most_arguments; });
 }
@@ -196,5 +214,7 @@ static_assert(std::ranges::all_of(table, has_room_in_call));
 }  // namespace
 
 std::span<const Command> all_commands() { return table; }
+
+std::span<const Command> commands_of_2018() { return table_of_2018; }
 
 }  // namespace penumbra

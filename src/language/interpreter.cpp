@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "language/actions.hpp"
 #include "language/near_word.hpp"
 #include "language/number.hpp"
 #include "language/other_programs.hpp"
@@ -119,8 +120,13 @@ bool read_number(Reading& reading, Call& call, int i) {
   if (!(is_expression ? read_expression : read_decimal)(reading, call, i, value)) return false;
   if (accepts(argument, value)) return true;
   const std::string found = is_expression ? fmt::format("{}, which is {}", in_quotes(word), value) : in_quotes(word);
-  reading.diagnostics.error(call.place_of_argument(i), fmt::format("`{}` of `{}` has to be {}; found {}", argument.name,
-                                                                   call.command.name, range_of(argument), found));
+  const bool may_be_2018 = call.command.action == actions::sphere;
+  reading.diagnostics.error(call.place_of_argument(i),
+                            fmt::format("`{}` of `{}` has to be {}; found {}", argument.name, call.command.name,
+                                        range_of(argument), found),
+                            may_be_2018 ? fmt::format("if this file has the order of 2018 (`sphere x y z radius`), {}",
+                                                      how_to_read_2018)
+                                        : std::string());
   return false;
 }
 
@@ -139,7 +145,10 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
   const bool numeric = command.forms.form[0].count() > 0 && command.forms.form[0].argument[0].is_number();
   if (numeric && has_open_expression(reading, line, visit, words)) return;
   const Form* const form = form_with(command, words.count - 1);
-  if (form == nullptr) return wrong_count(reading, command, line, visit, words);
+  if (form == nullptr) {
+    if (command.action == actions::begin) reading.stray_vertex = true;  // its vertices are not to blame
+    return wrong_count(reading, command, line, visit, words);
+  }
   Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};
   bool right = true;
   for (int i = 0; i < form->count(); i++) {
@@ -170,8 +179,9 @@ void interpret_line(Reading& reading, std::uint32_t visit, const Line& line) {
   const Words words = split_words(line.text);
   if (words.count == 0) return;
   const std::string_view name = words.word[0];
-  if (const Command* command = find_command(name)) {
+  if (const Command* command = find_command(name, reading.course == Course::year_2018)) {
     run_command(reading, *command, line, visit, words);
+    reading.commands++;
     watch_objects(reading, visit, line, words);
   } else {
     unknown_command(reading, place_of(visit, line, name), name);

@@ -18,7 +18,14 @@ bool has_direction(Reading& reading, const Call& call, int first) {
 }  // namespace
 
 void point_light(Reading& reading, const Call& call) {
-  reading.builder.change().lights.emplace_back(PointLight{call.vec(0), call.vec(3)});
+  const Vec3 position = call.vec(0), color = call.vec(3);
+  reading.order_of_2018.bright_light |= max_component(color) > 1 || max_component(-color) > 0;
+  reading.order_of_2018.small_position |= max_component(position) <= 1 && max_component(-position) <= 0;
+  reading.builder.change().lights.emplace_back(PointLight{position, color});
+}
+
+void light_of_2018(Reading& reading, const Call& call) {
+  reading.builder.change().lights.emplace_back(PointLight{call.vec(3), call.vec(0)});
 }
 
 void disk_light(Reading& reading, const Call& call) {

@@ -57,6 +57,19 @@ void read(Reading& reading, const Call& call) {
   reading.open_files.pop_back();
 }
 
+void course(Reading& reading, const Call& call) {
+  if (reading.commands > 0) {
+    return reading.diagnostics.error(call.place(), "`course` has to come before every other command");
+  }
+  const Course named = call.form.count() == 0 ? Course::any_year : course_of_year(call.word(0));
+  if (named == Course::off) {
+    return reading.diagnostics.error(
+        call.place_of_argument(0),
+        fmt::format("there is no course of {}; the years are {}", in_quotes(call.word(0)), years_in_words));
+  }
+  if (reading.options.course == Course::off) set_course(reading, named);
+}
+
 void reset_timer(Reading& reading, const Call&) { reading.builder.add_timer(ResetTimer{}); }
 
 void print_timer(Reading& reading, const Call&) { reading.builder.add_timer(PrintTimer{}); }

@@ -75,7 +75,26 @@ void report_unused(Reading& reading) {
   }
 }
 
+// One sign alone is an odd scene; two kinds of them are another order.
+void report_order_of_2018(Reading& reading) {
+  const OrderOf2018& order = reading.order_of_2018;
+  if (reading.course == Course::year_2018 || order.signs() < 2 || !order.first_sphere) return;
+  reading.diagnostics.warning(*order.first_sphere,
+                              "lights, surfaces and spheres look as if they were written in the order of 2018 "
+                              "(`light r g b x y z`, `surface` with ambient first, `sphere x y z radius`)",
+                              std::string(how_to_read_2018));
+}
+
 }  // namespace
+
+void set_course(Reading& reading, Course course) {
+  reading.course = course;
+  reading.highlight = year_of(course).highlight;
+  Settings& settings = reading.builder.change().settings;
+  settings.course = course;
+  settings.max_depth = year_of(course).max_depth;
+  settings.pattern = Pattern::random;
+}
 
 std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
   const std::filesystem::path name(call.word(0));
@@ -99,6 +118,7 @@ void finish_reading(Reading& reading) {
   report_open_ends(reading);
   if (reading.diagnostics.has_error()) return;
   report_unused(reading);
+  report_order_of_2018(reading);
   if (reading.builder.pictures() > 0) return;
   reading.builder.add_picture({});
   warn_of_empty_picture(reading, whole_file(0));
@@ -117,6 +137,7 @@ void warn_of_empty_picture(Reading& reading, const Place& place) {
 SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
                           const ReadOptions& options, FileLoader load, const Limits& limits) {
   Reading reading(options, std::move(load), limits);
+  if (options.course != Course::off) set_course(reading, options.course);
   SceneFile result;
   LoadedFile file = reading.load(path);
   if (text) {

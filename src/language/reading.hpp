@@ -20,6 +20,17 @@
 
 namespace penumbra {
 
+// What makes a file look as if it were written in the order of 2018.
+struct OrderOf2018 {
+  bool bright_light = false;   // a light with a colour below 0 or above 1
+  bool small_position = false; // a light within the unit cube
+  bool ambient_first = false;  // a surface with more ambient than diffuse light
+  int spheres = 0, spheres_behind = 0;  // behind: with a centre whose z is above 0
+  std::optional<Place> first_sphere;
+
+  int signs() const { return bright_light + small_position + ambient_first + (spheres > 0 && spheres == spheres_behind); }
+};
+
 // One file that is being read.
 struct OpenFile {
   std::filesystem::path path;
@@ -36,6 +47,9 @@ struct Reading {
         expressions(read_options.moment) {}
 
   ReadOptions options;
+  Course course = Course::off;            // that of the options, or else of the scene
+  Highlight highlight = Highlight::blinn; // of surfaces to come that leave it open
+  OrderOf2018 order_of_2018;
   FileLoader load;
   Limits limits;
   DiagnosticList diagnostics;
@@ -45,6 +59,7 @@ struct Reading {
   std::vector<OpenFile> open_files;  // the innermost last
   std::vector<std::string> files;    // all that were named, each once, as the user would find them
   std::size_t reads = 0;
+  std::uint64_t commands = 0;
   std::uint64_t bytes = 0;
 
   bool varies = false;                    // an expression was read
@@ -56,6 +71,12 @@ struct Reading {
     if (!complaint.empty()) diagnostics.error(place, complaint);
   }
 };
+
+// What a message about a file in the order of 2018 advises.
+inline constexpr std::string_view how_to_read_2018 = "--course=2018, or `course 2018` in the first line, reads that order";
+
+// Makes the course's rules those of the reading and of the scene so far.
+void set_course(Reading& reading, Course course);
 
 // Does what one line says.
 void interpret_line(Reading& reading, std::uint32_t visit, const Line& line);

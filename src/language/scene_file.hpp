@@ -48,7 +48,7 @@ struct Moment {
 };
 
 struct ReadOptions {
-  bool course = false;   // spheres and boxes keep radius and axes: only the centre or the corners are transformed
+  Course course = Course::off;  // if not off, it wins over the scene's own `course`
   bool lenient = false;  // commands that only other programs know are skipped with a warning
   bool hash = false;     // the hash of the files is wanted
   bool edited = false;   // somebody may rewrite the files meanwhile: large ones are copied, not mapped

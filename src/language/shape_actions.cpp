@@ -19,14 +19,14 @@ void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a
   reading.complain(call.place(), reading.builder.add_unplaced_shape(shape, motion));
 }
 
-void add_sphere(Reading& reading, const Call& call, Vec3 start, Vec3 end) {
+void add_sphere(Reading& reading, const Call& call, double radius, Vec3 start, Vec3 end) {
   const Affine& matrix = reading.builder.matrix();
   const Vec3 motion = transform_vector(matrix, end - start);
-  if (reading.options.course) {
+  if (reading.course != Course::off) {
     const Vec3 center = transform_point(matrix, start);
-    add_unplaced(reading, call, Sphere{center, call[0]}, center, center, motion);
+    add_unplaced(reading, call, Sphere{center, radius}, center, center, motion);
   } else {
-    reading.complain(call.place(), reading.builder.add_shape(Sphere{start, call[0]}, motion));
+    reading.complain(call.place(), reading.builder.add_shape(Sphere{start, radius}, motion));
   }
 }
 
@@ -78,12 +78,22 @@ void end(Reading& reading, const Call& call) {
   reading.stray_vertex = false;
 }
 
-void sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call.vec(1), call.vec(1)); }
+void sphere(Reading& reading, const Call& call) {
+  OrderOf2018& order = reading.order_of_2018;
+  if (!order.first_sphere) order.first_sphere = call.place();
+  order.spheres++;
+  order.spheres_behind += transform_point(reading.builder.matrix(), call.vec(1)).z > 0;
+  add_sphere(reading, call, call[0], call.vec(1), call.vec(1));
+}
 
-void moving_sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call.vec(1), call.vec(4)); }
+void sphere_of_2018(Reading& reading, const Call& call) {
+  add_sphere(reading, call, call[3], call.vec(0), call.vec(0));
+}
+
+void moving_sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call[0], call.vec(1), call.vec(4)); }
 
 void box(Reading& reading, const Call& call) {
-  if (!reading.options.course) return add_box(reading, call, call.vec(0), call.vec(3));
+  if (reading.course == Course::off) return add_box(reading, call, call.vec(0), call.vec(3));
   const Vec3 a = transform_point(reading.builder.matrix(), call.vec(0));
   const Vec3 b = transform_point(reading.builder.matrix(), call.vec(3));
   add_unplaced(reading, call, Box{min(a, b), max(a, b)}, a, b, {});

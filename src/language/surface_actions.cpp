@@ -1,4 +1,10 @@
 // The surfaces: each replaces the current one, and its texture.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
 #include "language/actions.hpp"
 
 namespace penumbra::actions {
@@ -17,11 +23,26 @@ Surface with_ambient(const Call& call) {
 }
 
 // The arguments from `first` on: sr sg sb spec_pow k_refl.
-void add_specular(Surface& surface, const Call& call, int first, Highlight highlight) {
+void add_specular(Surface& surface, const Call& call, int first) {
   surface.specular = call.vec(first);
   surface.specular_power = call[first + 3];
   surface.reflection = call[first + 4];
-  surface.highlight = highlight;
+}
+
+// As the course's surfaces: `highlight` says which one it is.
+void add_open_specular(const Reading& reading, Surface& surface, const Call& call) {
+  add_specular(surface, call, 6);
+  surface.highlight = reading.highlight;
+  surface.open_highlight = true;
+}
+
+// An index of refraction of 0 is fine where nothing is refracted: `k_trans` is argument `transmission`, the index follows.
+bool has_index(Reading& reading, const Call& call, int transmission) {
+  if (call[transmission] == 0 || call[transmission + 1] > 0) return true;
+  reading.diagnostics.error(call.place_of_argument(transmission + 1),
+                            fmt::format("`index` of `{}` has to be greater than 0 where k_trans is not 0; found {}",
+                                        call.command.name, in_quotes(call.word(transmission + 1))));
+  return false;
 }
 
 void set_texture(Reading& reading, Texture texture) {
@@ -36,9 +57,30 @@ void surface(Reading& reading, const Call& call) {
   Surface surface = plain(call);
   if (call.form.count() > 3) {
     surface = with_ambient(call);
-    add_specular(surface, call, 6, Highlight::phong);
+    add_open_specular(reading, surface, call);
+    reading.order_of_2018.ambient_first |= max_component(surface.diffuse - surface.ambient) < 0;
   }
   reading.builder.set_surface(surface);
+}
+
+void surface_of_2018(Reading& reading, const Call& call) {
+  Surface surface = plain(call);
+  if (call.form.count() > 3) {
+    surface.ambient = call.vec(0);
+    surface.diffuse = call.vec(3);
+    add_open_specular(reading, surface, call);
+  }
+  reading.builder.set_surface(surface);
+}
+
+void highlight(Reading& reading, const Call& call) {
+  const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), call.word(0));
+  if (found == std::end(highlight_names)) {
+    return reading.diagnostics.error(call.place_of_argument(0),
+                                     fmt::format("there is no highlight {}; there are {}", in_quotes(call.word(0)),
+                                                 fmt::join(highlight_names, ", ")));
+  }
+  reading.highlight = static_cast<Highlight>(found - std::begin(highlight_names));
 }
 
 void diffuse(Reading& reading, const Call& call) { reading.builder.set_surface(with_ambient(call)); }
@@ -51,7 +93,8 @@ void reflective(Reading& reading, const Call& call) {
 
 void shiny(Reading& reading, const Call& call) {
   Surface surface = with_ambient(call);
-  add_specular(surface, call, 6, Highlight::phong);
+  if (!has_index(reading, call, 11)) return;
+  add_open_specular(reading, surface, call);
   surface.transmission = call[11];
   surface.refraction_index = call[12];
   reading.builder.set_surface(surface);
@@ -59,14 +102,15 @@ void shiny(Reading& reading, const Call& call) {
 
 void glossy(Reading& reading, const Call& call) {
   Surface surface = plain(call);
-  add_specular(surface, call, 3, Highlight::blinn);
+  add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
   reading.builder.set_surface(surface);
 }
 
 void translucent(Reading& reading, const Call& call) {
+  if (!has_index(reading, call, 9)) return;
   Surface surface = plain(call);
-  add_specular(surface, call, 3, Highlight::blinn);
+  add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
   surface.transmission = call[9];
   surface.refraction_index = call[10];

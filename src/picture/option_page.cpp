@@ -50,7 +50,8 @@ const char* where(OptionUse use) {
 
 std::string row_of(const PictureOption& row) {
   const std::size_t bracket = row.help.rfind(" [");
-  const std::string value = row.metavar.empty() ? std::string() : fmt::format(" {}", row.metavar);
+  std::string value = row.metavar.empty() ? std::string() : fmt::format(" {}", row.metavar);
+  if (row.value_is_optional) value = fmt::format("[={}]", row.metavar);
   const std::string command = row.command.empty() ? std::string("no command") : fmt::format("`{}`", row.command);
   return with_escaped_bars(fmt::format("`--{}{}`", row.name, value)) + " | " +
          with_escaped_bars(row.help.substr(0, bracket)) + " | " +

@@ -17,6 +17,7 @@ PictureOption shadow_rays();
 PictureOption sampler_light();
 PictureOption noise();
 PictureOption course();
+PictureOption highlight();
 PictureOption lenient();
 PictureOption no_shadows();
 PictureOption transparent_shadows();

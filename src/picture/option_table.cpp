@@ -30,6 +30,7 @@ std::span<const PictureOption> option_table() {
                                                    without(),
                                                    exposure(),
                                                    course(),
+                                                   highlight(),
                                                    lenient(),
                                                    no_shadows(),
                                                    lens_model(),

@@ -39,7 +39,8 @@ struct PictureOption {
   std::string help;          // one line; what counts without it stands in brackets at the end
   std::string_view command;  // of the scene language that says the same, with its arguments; empty: there is none
   OptionUse use = OptionUse::everywhere;
-  bool is_list = false;  // takes several values, separated by commas
+  bool is_list = false;            // takes several values, separated by commas
+  bool value_is_optional = false;  // the value follows a `=`, or is left out and an empty text
 
   // Takes one value from a text. Returns a sentence about what is wrong with it; empty if nothing is.
   std::string (*parse)(PictureOptions& options, std::string_view text) = nullptr;

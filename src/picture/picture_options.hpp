@@ -35,7 +35,9 @@ struct PictureOptions {
   int exposure_halves = 0;  // the picture's brightness is doubled this many times, counted in halves
   LensModel lens_model = LensModel::thin;
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;
-  bool course = false, lenient = false;
+  Course course = Course::off;         // off: the scene's own
+  std::optional<Highlight> highlight;  // of surfaces that leave it open
+  bool lenient = false;
   Layers layers;  // beside the colour, in an EXR
   int bits = 8;   // of each colour in a PNG
 

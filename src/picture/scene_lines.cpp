@@ -34,9 +34,9 @@ std::string texture_line(const Surface& s) {
   return {};
 }
 
-// `glossy` and `translucent` know neither ambient light nor Phong's highlight.
+// `glossy` and `translucent` know no ambient light, and their highlight is not open.
 bool has_command(const Surface& s) {
-  return s.highlight == Highlight::blinn && s.ambient.x == 0 && s.ambient.y == 0 && s.ambient.z == 0;
+  return !s.open_highlight && s.ambient.x == 0 && s.ambient.y == 0 && s.ambient.z == 0;
 }
 
 }  // namespace
@@ -62,11 +62,23 @@ std::string shutter_lines(const Scene& before, const Scene& after) {
   return fmt::format("shutter {} {}\n", now.shutter_open, now.shutter_close);
 }
 
+// The command has to stand before the surfaces.
+std::string highlight_lines(const Scene& before, const Scene& after) {
+  for (std::size_t i = 0; i < after.surfaces.size(); i++) {
+    const Highlight now = after.surfaces[i].highlight;
+    if (now == before.surfaces[i].highlight) continue;
+    return fmt::format("# before the surfaces: highlight {}\n", highlight_names[static_cast<int>(now)]);
+  }
+  return {};
+}
+
 std::string surface_lines(const Scene& before, const Scene& after) {
   std::string text;
   for (std::size_t i = 0; i < after.surfaces.size(); i++) {
     const Surface& s = after.surfaces[i];
-    if (s == before.surfaces[i]) continue;
+    Surface then = before.surfaces[i];
+    then.highlight = s.highlight;
+    if (s == then) continue;
     if (has_command(s)) {
       text += surface_line(s) + texture_line(s);
     } else {

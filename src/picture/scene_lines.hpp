@@ -17,6 +17,7 @@ std::string changed_lines(const Scene& scene, const PictureOptions& options);
 std::string size_lines(const Scene& before, const Scene& after);
 std::string lens_lines(const Scene& before, const Scene& after);
 std::string shutter_lines(const Scene& before, const Scene& after);
+std::string highlight_lines(const Scene& before, const Scene& after);
 std::string surface_lines(const Scene& before, const Scene& after);
 std::string light_lines(const Scene& before, const Scene& after);
 

@@ -100,7 +100,7 @@ PictureOption sampler() {
   };
   row.apply = [](Scene& scene, const Options& options) {
     // The course's pictures are of independent random samples.
-    if (options.course) scene.settings.pattern = Pattern::random;
+    if (options.course != Course::off) scene.settings.pattern = Pattern::random;
     if (options.sampler) scene.settings.pattern = *options.sampler;
   };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
@@ -188,7 +188,52 @@ PictureOption noise() {
 }
 
 PictureOption course() {
-  return flag<&Options::course, &Settings::course, true>("course", "The course's own picture, to the pixel [off]");
+  PictureOption row{"course", "YEAR",
+                    fmt::format("The course's own picture, to the pixel; of a year that drew some things in its own "
+                                "way: {} [off]",
+                                years_in_words),
+                    "course [year]"};
+  row.value_is_optional = true;
+  row.parse = [](Options& options, std::string_view text) {
+    options.course = text.empty() || text == "yes" ? Course::any_year : course_of_year(text);
+    return options.course != Course::off ? std::string() : unknown("course of", text, years_in_words);
+  };
+  row.words = [](const Options& options, const Settings&) {
+    if (options.course == Course::any_year) return std::string("yes");
+    return std::string(year_of(options.course).name);
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.course != Course::off) scene.settings.course = options.course;
+  };
+  row.lines = [](const Scene& before, const Scene& after) {
+    const Course now = after.settings.course;
+    if (now == before.settings.course) return std::string();
+    return fmt::format("# in the first line: course {}\n", year_of(now).name);
+  };
+  return row;
+}
+
+PictureOption highlight() {
+  PictureOption row{"highlight", "blinn|phong",
+                    "Highlight of `surface` and `shiny`: max(0, N.H)^p or max(0, R.V)^p [the scene's, else blinn]",
+                    "highlight blinn|phong"};
+  row.parse = [](Options& options, std::string_view text) {
+    const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), text);
+    if (found == std::end(highlight_names)) return unknown("highlight", text, listed(highlight_names));
+    options.highlight = static_cast<Highlight>(found - std::begin(highlight_names));
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.highlight ? std::string(highlight_names[static_cast<int>(*options.highlight)]) : std::string();
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (!options.highlight) return;
+    for (Surface& surface : scene.surfaces) {
+      if (surface.open_highlight) surface.highlight = *options.highlight;
+    }
+  };
+  row.lines = highlight_lines;
+  return row;
 }
 
 PictureOption lenient() {

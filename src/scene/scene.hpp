@@ -59,7 +59,6 @@ struct SpotLight {
 
 using Light = std::variant<PointLight, DiskLight, SpotLight>;
 
-enum class Highlight : std::uint8_t { phong, blinn };  // max(0, R.V)^p or max(0, N.H)^p
 enum class Texture : std::uint8_t { none, noise, wood, marble, stone };
 
 struct Surface {
@@ -73,6 +72,7 @@ struct Surface {
   double refraction_index = 1;  // inside, against 1 outside
   double blur_radius = 0;       // radius of the ball added to the unit refracted direction
   Highlight highlight = Highlight::blinn;
+  bool open_highlight = false;  // made by a command that left the highlight to `highlight` and --highlight
   Texture texture = Texture::none;
   double texture_scale = 1;  // of `noise`
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sampling/pattern.hpp"
+#include "scene/course.hpp"
 
 namespace penumbra {
 
@@ -36,7 +37,7 @@ struct Settings {
   bool shadows = true;               // else every light reaches every surface
   bool transparent_shadows = false;  // shadow rays pass surfaces, times k_trans for each
   bool antialiasing = true;          // else every ray goes through the place of a single one
-  bool course = false;               // the course's pixel corners
+  Course course = Course::off;       // its pixels, its rounding, its shapes under matrices
 
   bool operator==(const Settings&) const = default;
 };

@@ -25,11 +25,17 @@ FrameCamera make_camera(const Scene& scene) {
   const Camera& c = scene.camera;
   const Settings& settings = scene.settings;
   FrameCamera camera{};
-  const double scale = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360) / std::min(settings.width, settings.height);
+  const double half_view = std::tan(c.fov_degrees * std::numbers::pi / 360);
+  const bool corner_to_corner = settings.course == Course::year_2015;  // outermost pixels lie on the edges of the view
+  const double shorter = std::min(settings.width, settings.height);
+  const double per_x = 2 * half_view / (corner_to_corner ? std::max(settings.width - 1, 1) : shorter);
+  const double per_y = 2 * half_view / (corner_to_corner ? std::max(settings.height - 1, 1) : shorter);
+  const double columns = corner_to_corner ? settings.width - 1 : settings.width;
+  const double rows = corner_to_corner ? settings.height - 1 : settings.height;
   set3(camera.eye, c.eye);
-  set3(camera.per_x, c.right * scale);
-  set3(camera.per_y, c.up * -scale);
-  set3(camera.corner, c.right * (-0.5 * settings.width * scale) + c.up * (0.5 * settings.height * scale) - c.back);
+  set3(camera.per_x, c.right * per_x);
+  set3(camera.per_y, c.up * -per_y);
+  set3(camera.corner, c.right * (-0.5 * columns * per_x) + c.up * (0.5 * rows * per_y) - c.back);
   set3(camera.view, -normalize(c.back));
   camera.has_lens = c.lens_radius > 0;
   if (camera.has_lens) {
@@ -41,7 +47,7 @@ FrameCamera make_camera(const Scene& scene) {
   camera.shutter_length = static_cast<float>(c.shutter_close - c.shutter_open);
   const bool one_place = settings.rays_per_pixel <= 1 || !settings.antialiasing;
   camera.pixel_width = one_place ? 0.0f : 1.0f;
-  camera.pixel_offset = settings.course ? (one_place ? 0.0f : -0.5f) : (one_place ? 0.5f : 0.0f);
+  camera.pixel_offset = settings.course != Course::off ? (one_place ? 0.0f : -0.5f) : (one_place ? 0.5f : 0.0f);
   return camera;
 }
 

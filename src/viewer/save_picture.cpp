@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> save_picture(const Refinement& picture, int e
     options.exposure_halves = exposure_halves;
     Image image = side.image;
     expose(image, exposure_factor(exposure_halves));
-    const Quantization quantization{8, options.course ? Rounding::course : Rounding::nearest};
+    const Quantization quantization{8, scene.settings.course != Course::off ? Rounding::course : Rounding::nearest};
     write_image(files[i], whole_picture(std::move(image), metadata_for(picture.loaded->path, scene, options)),
                 quantization);
   }

@@ -204,7 +204,7 @@ void Session::focus(PlaceInWindow cursor) {
   const auto pixel = view_.pixel_at(cursor);
   if (!picture_ || !pixel || !loaded_) return say("F focuses at the cursor: point at the picture");
   const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
-  const double middle = frame.settings.course ? 0.0 : 0.5;
+  const double middle = frame.settings.course != Course::off ? 0.0 : 0.5;
   const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
   if (!distance) return say("there is nothing at the cursor to focus at");
   const double radius = scene_with_all_effects().camera.lens_radius;

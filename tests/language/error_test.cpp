@@ -118,7 +118,7 @@ TEST(Errors, aboutTheRangeOfArguments) {
        "s.cli:1:24: error: `gloss_radius` of `glossy` has to be 0 or more; found `-.1`\n"
        "  glossy 1 1 1 1 1 1 2 0 -.1\n                         ^~~\n"},
       {"shiny 1 1 1 1 1 1 1 1 1 2 0 1 0",
-       "s.cli:1:31: error: `index` of `shiny` has to be greater than 0; found `0`\n"
+       "s.cli:1:31: error: `index` of `shiny` has to be greater than 0 where k_trans is not 0; found `0`\n"
        "  shiny 1 1 1 1 1 1 1 1 1 2 0 1 0\n                                ^\n"},
   });
 }

@@ -29,7 +29,7 @@ TEST(Surfaces, areReadInEveryDialect) {
   expected.specular = {.7, .8, .9};
   expected.specular_power = 20;
   expected.reflection = .25;
-  expected.highlight = Highlight::phong;
+  expected.open_highlight = true;
   EXPECT_EQ(surface_after("surface .1 .2 .3 .4 .5 .6 .7 .8 .9 20 .25"), expected);
   expected.transmission = .75;
   expected.refraction_index = 1.5;
@@ -41,7 +41,6 @@ TEST(Surfaces, areReadInEveryDialect) {
   glossy.specular_power = 50;
   glossy.reflection = .25;
   glossy.gloss_radius = .15;
-  glossy.highlight = Highlight::blinn;
   EXPECT_EQ(surface_after("glossy .1 .2 .3 .4 .5 .6 50 .25 .15"), glossy);
   glossy.transmission = .5;
   glossy.refraction_index = 1.25;

@@ -72,7 +72,7 @@ TEST_P(DeterministicPair, IsReproduced) {
 
   const Levels reference = read_levels(*folder / name / "reference.png");
   std::string options =
-      "--size " + std::to_string(reference.width) + "x" + std::to_string(reference.height) + " --threads 1";
+      "--size " + std::to_string(reference.width) + "x" + std::to_string(reference.height) + " --threads 1" + options_of(entry);
   // The first steps of the course had no shadows yet.
   if (name < "04") options += " --no-shadows";
   Levels picture = render_levels(*folder / name / "scene.cli", options);
@@ -125,7 +125,37 @@ constexpr const char* names[] = {"00-rect-test",
                                  "36-5-icosahedron",
                                  "37-5-sphere-in-icosahedron",
                                  "38-5-reflective-sphere",
-                                 "39-5-five-mirrors"};
+                                 "39-5-five-mirrors",
+                                 "40-2015-t0",
+                                 "41-2015-t1",
+                                 "42-2015-t2",
+                                 "43-2015-t3",
+                                 "44-2015-c0",
+                                 "45-2015-c1",
+                                 "46-2015-c2",
+                                 "47-2015-c3",
+                                 "48-2015-c4",
+                                 "49-2015-c5",
+                                 "50-2017-i1",
+                                 "51-2017-i2",
+                                 "52-2017-i3",
+                                 "53-2017-i4",
+                                 "54-2017-i5",
+                                 "55-2017-i6",
+                                 "56-2017-i7",
+                                 "57-2017-i8",
+                                 "58-2017-i9",
+                                 "59-2017-i10",
+                                 "60-2018-i1",
+                                 "61-2018-i2",
+                                 "62-2018-i3",
+                                 "63-2018-i4",
+                                 "64-2018-i5",
+                                 "65-2018-i6",
+                                 "66-2018-i7",
+                                 "67-2018-i8",
+                                 "68-2018-i9",
+                                 "69-2018-i10"};
 
 std::string test_name(const testing::TestParamInfo<const char*>& info) {
   std::string name = info.param;

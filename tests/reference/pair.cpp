@@ -29,6 +29,12 @@ nlohmann::json reference_entry(const std::filesystem::path& folder, const std::s
   return nullptr;
 }
 
+std::string options_of(const nlohmann::json& entry) {
+  std::string options;
+  for (const std::string option : entry.value("options", std::vector<std::string>{"--course"})) options += ' ' + option;
+  return options;
+}
+
 Levels read_levels(const std::filesystem::path& file) {
   const Image image = read_image(file).image;
   Levels levels{image.width, image.height, {}};
@@ -41,7 +47,7 @@ Levels render_levels(const std::filesystem::path& scene, const std::string& opti
   const TestFolder folder;
   const std::filesystem::path picture = folder / "picture.png";
   const ProgramResult result = run_program(std::string(PENUMBRA_PROGRAM) + " render '" + scene.string() +
-                                           "' --course --quiet -o '" + picture.string() + "' " + options);
+                                           "' --quiet -o '" + picture.string() + "' " + options);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   return result.exit_code == 0 ? read_levels(picture) : Levels{};
 }

@@ -32,7 +32,10 @@ struct Levels {
 
 Levels read_levels(const std::filesystem::path& file);
 
-// Runs `penumbra render` on the scene with --course and these options; fails the test where the program fails.
+// The options that the entry says, `--course` where it says none, each behind a blank.
+std::string options_of(const nlohmann::json& entry);
+
+// Runs `penumbra render` on the scene with these options; fails the test where the program fails.
 Levels render_levels(const std::filesystem::path& scene, const std::string& options);
 
 }  // namespace penumbra::test

@@ -86,7 +86,7 @@ TEST_P(StochasticPair, IsReproduced) {
   const std::filesystem::path scene = *folder / name / "scene.cli";
   const std::vector<int> crop = entry.at("crop");
   const Plane reference = plane_of(read_levels(*folder / name / "reference.png"), crop);
-  const Plane own = plane_of(render_levels(scene, "--seed 2 --threads 2"), crop);
+  const Plane own = plane_of(render_levels(scene, options_of(entry) + " --seed 2 --threads 2"), crop);
   ASSERT_EQ(own.size(), reference.size());
 
   // The mean of many samples. With one ray a pixel the place in it is fixed: then it is the mean of many pictures. 200
@@ -95,7 +95,7 @@ TEST_P(StochasticPair, IsReproduced) {
   const int pictures = rays > 1 ? 1 : scaled(64, 8);
   for (int i = 0; i < pictures; i++) {
     const std::string more = rays > 1 ? " --rays 200" : "";
-    const Plane picture = plane_of(render_levels(scene, "--threads 2 --seed " + std::to_string(100 + i) + more), crop);
+    const Plane picture = plane_of(render_levels(scene, options_of(entry) + " --threads 2 --seed " + std::to_string(100 + i) + more), crop);
     ASSERT_EQ(picture.size(), own.size());
     for (std::size_t k = 0; k < picture.size(); k++) converged[k] += picture[k] / pictures;
   }

@@ -86,7 +86,7 @@ std::optional<TexturePair> render_pair(const std::string& name) {
   const auto folder = reference_folder();
   if (!folder || reference_entry(*folder, name).is_null()) return std::nullopt;
   return TexturePair{read_levels(*folder / name / "reference.png"),
-                     render_levels(*folder / name / "scene.cli", "--size 600x600 --threads 1")};
+                     render_levels(*folder / name / "scene.cli", "--course --size 600x600 --threads 1")};
 }
 
 // `tolerance`: of the mean, the deviation, a percentile, and the changes (as a share).

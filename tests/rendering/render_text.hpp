@@ -14,7 +14,7 @@
 namespace penumbra::test {
 
 struct RenderSettings {
-  bool course = false;
+  Course course = Course::off;
   bool shadows = true;
   bool transparent_shadows = false;
   bool regular_lights = false;

@@ -10,23 +10,26 @@ namespace penumbra::test {
 namespace {
 
 // The direction of the ray through column i, row j (which may be broken numbers), as the language page has it.
-Vec3 ray_direction(double i, double j, int width, int height, double fov) {
+Vec3 ray_direction(double i, double j, int width, int height, double fov, Course course = Course::off) {
   const double k = std::tan(fov * std::numbers::pi / 360);
+  if (course == Course::year_2015) {
+    return normalize({(i - (width - 1) / 2.0) * 2 * k / (width - 1), ((height - 1) / 2.0 - j) * 2 * k / (height - 1), -1});
+  }
   const int shorter = std::min(width, height);
   return normalize({(i - width / 2.0) * 2 * k / shorter, (height / 2.0 - j) * 2 * k / shorter, -1});
 }
 
-void expect_directions(int width, int height, bool course) {
+void expect_directions(int width, int height, Course course) {
   RenderSettings settings = without_shadows();
   settings.course = course;
-  const double offset = course ? 0 : 0.5;
+  const double offset = course != Course::off ? 0 : 0.5;
   // Looked at with all three signs of colour, since a colour is never negative.
   for (const Vec3 signs : {Vec3{1, 1, 1}, Vec3{-1, -1, -1}}) {
     const Picture3 picture =
         render_text(fmt::format("image_size {} {}\nfov 70\n", width, height) + environment(signs), settings);
     for (int y = 0; y < height; y++) {
       for (int x = 0; x < width; x++) {
-        const Vec3 d = ray_direction(x + offset, y + offset, width, height, 70);
+        const Vec3 d = ray_direction(x + offset, y + offset, width, height, 70, course);
         expect_color(picture.at(x, y), max(Vec3{d.x * signs.x, d.y * signs.y, d.z * signs.z}, {}), 1e-4);
       }
     }
@@ -34,15 +37,23 @@ void expect_directions(int width, int height, bool course) {
 }
 
 TEST(Camera, PixelCentres) {
-  expect_directions(8, 8, false);
-  expect_directions(12, 5, false);
-  expect_directions(4, 9, false);
+  expect_directions(8, 8, Course::off);
+  expect_directions(12, 5, Course::off);
+  expect_directions(4, 9, Course::off);
 }
 
 TEST(Camera, CourseCorners) {
-  expect_directions(8, 8, true);
-  expect_directions(12, 5, true);
-  expect_directions(7, 9, true);
+  for (const Course course : {Course::any_year, Course::year_2017, Course::year_2018, Course::year_2022}) {
+    expect_directions(8, 8, course);
+    expect_directions(12, 5, course);
+    expect_directions(7, 9, course);
+  }
+}
+
+TEST(Camera, In2015TheOutermostPixelsLieOnTheEdgesOfTheView) {
+  expect_directions(8, 8, Course::year_2015);
+  expect_directions(12, 5, Course::year_2015);
+  expect_directions(7, 9, Course::year_2015);
 }
 
 TEST(Camera, FieldOfViewIsSixtyDegreesByDefault) {
@@ -73,7 +84,7 @@ TEST(Camera, RaysCoverThePixel) {
   EXPECT_NEAR(own.at(2, 2).x, 0.7, 0.01);
   EXPECT_NEAR(own.at(3, 2).x, 1, 1e-6);
   RenderSettings course;
-  course.course = true;
+  course.course = Course::any_year;
   course.pattern = Pattern::random;
   const Picture3 corner = render_text(scene + "rays_per_pixel 65536\n", course);
   const double deviation = 5 * std::sqrt(0.2 * 0.8 / 65536);

@@ -7,7 +7,7 @@
 namespace penumbra::test {
 namespace {
 
-const std::string phong = "surface 0 0 0 0 0 0 0.5 0.25 1 {} 0\n";
+const std::string phong = "highlight phong\nsurface 0 0 0 0 0 0 0.5 0.25 1 {} 0\n";
 const std::string blinn = "glossy 0 0 0 0.5 0.25 1 {} 0 0\n";
 const std::string floor_box = "box -20 -1 -20 20 0 20\n";
 

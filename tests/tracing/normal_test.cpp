@@ -64,7 +64,7 @@ TEST(Normals, OfEllipsoidsUnderEveryKindOfMatrix) {
 // With the course's switch a ball keeps its radius and a box its axes; an instance still gets its full matrix.
 TEST(Normals, CourseSpheresStayRound) {
   RenderSettings settings;
-  settings.course = true;
+  settings.course = Course::any_year;
   settings.layers.depth = true;
   const std::string matrix = "translate 0 0 -6\nscale 2 2 2\n";
   const Picture3 direct = render_text(look({}, {0, 0, -1}) + matrix + "sphere 1 0 0 0\n", settings);

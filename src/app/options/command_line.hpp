@@ -14,7 +14,8 @@ enum class Times : unsigned char {
   once,
   repeated,       // the option may stand several times, each with one value
   many,           // several values follow each other
-  value_optional  // once, and its value may be left out; the text is empty then
+  value_optional,  // once, and its value may be left out; the text is empty then
+  equals_optional  // the same, and the value follows a `=`
 };
 
 // Takes a text. Returns a sentence about what is wrong with it; empty if nothing is.

@@ -12,6 +12,7 @@ CommandOption command_option(const PictureOption& row, PictureOptions& options) 
   option.help = row.help;
   option.take = [&row, &options](std::string_view text) { return parse_option(row, options, text); };
   if (row.is_list) option.times = Times::repeated;
+  if (row.value_is_optional) option.times = Times::equals_optional;
   return option;
 }
 

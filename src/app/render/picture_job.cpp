@@ -22,7 +22,7 @@ PictureJob picture_job(const RenderOptions& options, const SceneFile& file, cons
                      metadata_for(options.scene, job.scene, options),
                      options.exposure_halves,
                      options.bits,
-                     options.course ? Rounding::course : Rounding::nearest};
+                     settings.course != Course::off ? Rounding::course : Rounding::nearest};
   job.key = {version, file.hash, number, plan_in_words(job.scene, options)};
   if (options.frame) job.development.metadata.emplace_back(content_entry, content_key(job.key, job.development));
   return job;

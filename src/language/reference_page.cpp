@@ -33,8 +33,8 @@ every locale. `nan`, `inf` and anything too large for single precision are error
 
 The file is read from top to bottom. Commands that set a state (the matrix, the surface, the camera) apply from their
 line on; a shape uses the matrix and surface that are current at its line. `write` and `render` take a picture of the
-scene as it stands at that line: whatever follows affects only later pictures. A file with neither is one picture, taken
-at its end. The whole file is read before the first picture is rendered, and if it contains any error, none is.
+scene as it stands at that line: whatever follows affects only later pictures. If a file has neither, one picture is
+taken at its end. The whole file is read before the first picture is rendered, and if it contains any error, none is.
 
 The language grew over years of a ray-tracing course ("the course" below), and several dialects of it exist. Penumbra
 reads all of them, even mixed in one file: that is why there are several commands for surfaces, and two names for a

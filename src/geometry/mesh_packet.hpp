@@ -5,7 +5,7 @@
 #include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
 #include "geometry/rays.hpp"
-#include "geometry/triangle_kernel.hpp"
+#include "geometry/shapes/triangle.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 

@@ -91,7 +91,7 @@ with L the direction to the light, V the direction back along the ray and N the 
 max(0, N.H)^spec_pow, H half way between L and V, for `glossy` and `translucent`, and max(0, R.V)^spec_pow, R the mirror
 direction of L, for `surface` with eleven numbers and for `shiny`. A ray that hits nothing sees the background.
 
-A triangle is lit on the side from which it is seen; spheres, boxes and cylinders keep their outward normal.
+A triangle is lit on the side from which it is seen; all other shapes keep their outward normal.
 
 `gloss_radius` blurs the mirror: to the unit vector of the mirror direction a random vector from a ball of that radius is
 added. A direction that would point into the surface is folded back out. `blur_radius` does the same for the refracted

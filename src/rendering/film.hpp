@@ -12,7 +12,7 @@
 #include "base/archive.hpp"
 #include "base/zeroed_pages.hpp"
 #include "rendering/plan.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/film_view.hpp"
 
 namespace penumbra {
 

@@ -22,9 +22,9 @@ struct Keeper {
 }  // namespace
 
 RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
-                     std::size_t most_rays) {
+                     std::size_t most) {
   RayTree tree;
-  Keeper keeper{tree, most_rays};
+  Keeper keeper{tree, most};
   kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add});
   return tree;
 }

@@ -170,10 +170,10 @@ TEST(Camera, takesAllItsCommands) {
   EXPECT_EQ(scene.settings.rays_per_pixel, 64);
   EXPECT_EQ(scene.settings.width, 640);
   EXPECT_EQ(scene.settings.height, 480);
-  EXPECT_EQ(scene.sampler, "sobol");
+  EXPECT_EQ(scene.settings.pattern, Pattern::sobol);
   EXPECT_EQ(scene.settings.seed, 4294967295u);
   EXPECT_EQ(scene.settings.max_depth, 3);
-  EXPECT_EQ(scene_of(light + ball + "sampler random").sampler, "random");
+  EXPECT_EQ(scene_of(light + ball + "sampler random").settings.pattern, Pattern::random);
   EXPECT_EQ(scene_of(light + ball + "lens 0 0").camera.lens_radius, 0);
 }
 
@@ -223,7 +223,7 @@ TEST(Camera, hasTheDefaultsOfTheLanguage) {
   EXPECT_EQ(scene.settings.rays_per_pixel, 1);
   EXPECT_EQ(scene.settings.width, 300);
   EXPECT_EQ(scene.settings.height, 300);
-  EXPECT_EQ(scene.sampler, "");
+  EXPECT_EQ(scene.settings.pattern, default_pattern);
   EXPECT_EQ(scene.settings.max_depth, 8);
 }
 

@@ -22,11 +22,11 @@ TEST(Limits, ofThePictureSize) {
   EXPECT_EQ(told("image_size 65536 4097\n"),
             "s.cli:1:12: error: a picture of 65536 x 4097 pixels is too large; 268435456 pixels are the most\n"
             "  image_size 65536 4097\n             ^~~~~\n");
-  EXPECT_EQ(scene_of(light + ball + "image_size 65536 4096\n").height, 4096);
+  EXPECT_EQ(scene_of(light + ball + "image_size 65536 4096\n").settings.height, 4096);
 }
 
 TEST(Limits, ofTheRays) {
-  EXPECT_EQ(scene_of(light + ball + "rays_per_pixel 16777216\n").rays_per_pixel, 16777216);
+  EXPECT_EQ(scene_of(light + ball + "rays_per_pixel 16777216\n").settings.rays_per_pixel, 16777216);
   EXPECT_EQ(read("rays_per_pixel 16777217\n").diagnostics.at(0).message,
             "`n` of `rays_per_pixel` has to be a whole number from 1 to 16777216; found `16777217`");
 }

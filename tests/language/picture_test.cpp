@@ -41,11 +41,7 @@ TEST(Pictures, keepWhatTheySaw) {
     EXPECT_EQ(a.camera.back, b.camera.back) << change;
     EXPECT_EQ(a.camera.shutter_close, b.camera.shutter_close) << change;
     EXPECT_EQ(a.background, b.background) << change;
-    EXPECT_EQ(a.width, b.width) << change;
-    EXPECT_EQ(a.seed, b.seed) << change;
-    EXPECT_EQ(a.rays_per_pixel, b.rays_per_pixel) << change;
-    EXPECT_EQ(a.max_depth, b.max_depth) << change;
-    EXPECT_EQ(a.sampler, b.sampler) << change;
+    EXPECT_EQ(a.settings, b.settings) << change;
     EXPECT_EQ(a.surfaces, b.surfaces) << change;
     EXPECT_EQ(shape_of<TriangleRange>(b.root.objects[0]).count, 2u) << change;
   }

@@ -67,7 +67,7 @@ Estimate estimate(const std::string& scene, RenderSettings settings, int rays, i
   double sum = 0, squares = 0;
   Scene read = scene_from(scene + rays_of_hit(rays), settings);
   for (int seed = 0; seed < seeds; seed++) {
-    read.seed = static_cast<std::uint32_t>(seed);
+    read.settings.seed = static_cast<std::uint32_t>(seed);
     const double value = render_scene(read, settings).at(0, 0).x;
     sum += value;
     squares += value * value;

@@ -303,7 +303,7 @@ class RenderRun {
   void note(const Frame& frame, const Kernel& kernel, const Plan& plan) {
     const Spent& spent = sitting_.spent();
     stats_.rays += spent.rays;
-    stats_.samples += spent.rays.camera;
+    stats_.samples += spent.rays[RayKind::eye];
     stats_.render_seconds += spent.seconds;
     stats_.threads = plan.threads;
     stats_.lanes = kernel.lanes;

@@ -73,7 +73,7 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
 inline Floats visibility(const TraceContext& c, const Rays& to_light, Floats distance, Mask active) {
   const World& world = c.frame.world;
-  c.counts.shadow += static_cast<std::uint64_t>(count(active));
+  c.counts[RayKind::shadow] += static_cast<std::uint64_t>(count(active));
   if (!c.frame.settings.transparent_shadows) {
     return keep(active & ~occluded(world, to_light, distance, active), Floats(1));
   }
@@ -229,7 +229,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
     if constexpr (records) c.recorder->announce(RayKind::reflection, reflection, count, depth);
     sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
-    c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
+    c.counts[RayKind::reflection] += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
   }
   if (any(transmits)) {
     const Spreading spreading{refracted, material.any_blur, material.blur_radius,
@@ -238,7 +238,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     if constexpr (records) c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
     sum +=
         keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
-    c.counts.transmission += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
+    c.counts[RayKind::transmission] += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
   }
   return sum;
 }

@@ -12,7 +12,7 @@ void record_sample(const Frame&, int x, int y, std::uint32_t sample, std::uint32
 namespace {
 
 void render_pixels(const Frame& frame, const FilmView& film, const PixelSamples& wanted, RayCounts& counts) {
-  PacketRenderer{frame, film, wanted, counts}.render();
+  PacketRenderer{frame, film, wanted, counts, {}}.render();
 }
 
 struct ProbePacket {

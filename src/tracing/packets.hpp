@@ -17,7 +17,7 @@ struct PacketRenderer {
   const FilmView& film;
   const PixelSamples& wanted;
   RayCounts& counts;
-  RayRecorder* recorder = nullptr;
+  [[no_unique_address]] Recorder recorder;
   PatternChoice pattern = frame.pattern_choice();
   float quanta = static_cast<float>(1 / frame.color_quantum);  // of a colour of 1
 

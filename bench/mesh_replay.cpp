@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "base/large_heap.hpp"
 #include "base/shared_library.hpp"
 #include "geometry/embree_library.hpp"
 #include "language/scene_file.hpp"
@@ -196,7 +195,6 @@ int run(const char* rendered_path, const char* replayed_path, std::uint32_t rays
 }  // namespace
 
 int main(int argc, char** argv) {
-  use_large_heap();
   if (argc < 3) {
     fmt::print(stderr, "usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]\n");
     return 64;

@@ -21,7 +21,6 @@
 #include "app/render_options.hpp"
 #include "app/samples_command.hpp"
 #include "app/view_command.hpp"
-#include "base/large_heap.hpp"
 #include "base/version.hpp"
 #include "language/near_word.hpp"
 
@@ -114,7 +113,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  penumbra::use_large_heap();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

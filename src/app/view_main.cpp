@@ -8,7 +8,6 @@
 #include "app/arguments.hpp"
 #include "app/machine_arguments.hpp"
 #include "app/picture_arguments.hpp"
-#include "base/large_heap.hpp"
 #include "rendering/isa.hpp"
 #include "rendering/render.hpp"
 #include "viewer/scene_folder.hpp"
@@ -89,7 +88,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  penumbra::use_large_heap();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

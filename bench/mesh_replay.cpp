@@ -119,7 +119,7 @@ std::vector<RTCScene> scenes_of(const Frame& frame) {
 }
 
 void remove_filters(const Frame& frame) {
-  const SharedLibrary file("libembree3.so.3", "install the Debian package libembree3-3");
+  const SharedLibrary file(embree_file(), embree_advice());
   decltype(&rtcGetGeometry) get_geometry = nullptr;
   file.load("rtcGetGeometry", get_geometry);
   const EmbreeLibrary& embree = embree_library();

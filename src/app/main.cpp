@@ -88,13 +88,7 @@ int run(int argc, char** argv) {
       {"farm", [&](CLI::App& to) { add_farm(to, farm); }, [&] { return farm_command(farm); }},
       {"view", add_view, [&] { return penumbra::view_command(app.get_subcommand("view")->remaining()); }},
   };
-  // The options of all commands are for help and mistakes: to describe them takes a third of a millisecond more.
-  const std::string_view first_word = argc > 1 ? argv[1] : "";
-  const bool is_command = std::any_of(std::begin(commands), std::end(commands),
-                                      [&](const Command& command) { return command.name == first_word; });
-  for (const Command& command : commands) {
-    if (!is_command || command.name == first_word) command.add(app);
-  }
+  for (const Command& command : commands) command.add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

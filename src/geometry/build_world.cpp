@@ -53,8 +53,8 @@ class WorldBuilder {
 
   // What collects the leaves of one group.
   struct GroupParts {
-    std::vector<Leaf> leaves;
-    std::vector<BvhItem> items;
+    ZeroedVector<Leaf> leaves;
+    ZeroedVector<BvhItem> items;
     std::uint32_t order = 0;
     struct Run {  // static triangles, waiting for the choice of a room
       TriangleRange range;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/zeroed_pages.hpp"
 #include "geometry/leaf.hpp"
 
 struct RTCSceneTy;
@@ -63,8 +64,8 @@ struct Mesh {
 };
 
 struct World {
-  std::vector<Node> nodes;
-  std::vector<Leaf> leaves;
+  ZeroedVector<Node> nodes;
+  ZeroedVector<Leaf> leaves;
   std::vector<Placement> placements;
   std::vector<WorldGroup> groups;  // [0] is the whole scene
   std::vector<Mesh> meshes;

@@ -86,6 +86,9 @@ std::span<const Command> all_commands();
 // The command of that name; null if there is none.
 const Command* find_command(std::string_view name);
 
+// Whether `word` is a command that only other programs know: coursework of later projects and private additions.
+bool is_command_of_other_programs(std::string_view word);
+
 // The command whose name is nearest to `word`; empty if none is near.
 std::string_view nearest_command(std::string_view word);
 

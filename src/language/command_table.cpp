@@ -1,5 +1,7 @@
 // The table of all commands: name, section, arguments, one line of help, action. Reading, error messages, hints and
-// docs/language.md all come from here.
+// docs/language.md all come from here. Below it, the names that only other programs know.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "language/actions.hpp"
@@ -193,8 +195,18 @@ constexpr bool has_room_in_call(const Command& command) {
 }
 static_assert(std::ranges::all_of(table, has_room_in_call));
 
+constexpr std::string_view of_other_programs =
+    " ambient_light area_light begin_bvh begin_grid begin_kd bump caustic_photons cone debug diffuse_photons"
+    " directional_light end_bvh end_grid end_kd environment final_gather hollow_cone image_texture load_identity"
+    " mesh_texture normal photons plane print print_matrix quad resolution save screen square_light supersample"
+    " texture texture_map torus triangle wait ";
+
 }  // namespace
 
 std::span<const Command> all_commands() { return table; }
+
+bool is_command_of_other_programs(std::string_view word) {
+  return of_other_programs.find(fmt::format(" {} ", word)) != std::string_view::npos;
+}
 
 }  // namespace penumbra

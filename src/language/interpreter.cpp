@@ -7,7 +7,6 @@
 
 #include "language/near_word.hpp"
 #include "language/number.hpp"
-#include "language/other_programs.hpp"
 #include "language/reading.hpp"
 
 namespace penumbra {

@@ -96,7 +96,7 @@ where L is the direction to the light, V the direction back along the ray and N 
 and for `shiny`, it is max(0, R.V)^spec_pow, with R the mirror direction of L. A ray that hits nothing sees the
 background.
 
-A triangle is lit on the side from which it is seen; spheres, boxes and cylinders keep their outward normal.
+A triangle is lit on the side from which it is seen; all other shapes keep their outward normal.
 
 `gloss_radius` blurs the reflection: a random vector from a ball of that radius is added to the unit vector in the
 mirror direction. A direction that would point into the surface is folded back out. `blur_radius` does the same for the

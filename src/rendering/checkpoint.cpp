@@ -14,10 +14,7 @@ namespace {
 template <class Archive, class Key, class SpentSoFar>
 void exchange_head(Archive& archive, Key& key, SpentSoFar& spent) {
   exchange_key(archive, key);
-  archive(spent.rays.camera);
-  archive(spent.rays.shadow);
-  archive(spent.rays.reflection);
-  archive(spent.rays.transmission);
+  for (auto& count : spent.rays.counts) archive(count);
   archive(spent.seconds);
 }
 

@@ -1,5 +1,5 @@
 // The sums of all samples so far, for every pixel of a crop, and how many these are. Sums are exact
-// (tracing/kernel.hpp), so that a film does not tell in which order, by how many threads or in how many sittings its
+// (tracing/film_view.hpp), so that a film does not tell in which order, by how many threads or in how many sittings its
 // samples came.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include "base/archive.hpp"
 #include "base/zeroed_pages.hpp"
 #include "rendering/plan.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/film_view.hpp"
 
 namespace penumbra {
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "rendering/tile_grid.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/film_view.hpp"
 
 namespace penumbra {
 

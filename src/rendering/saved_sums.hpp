@@ -8,7 +8,7 @@
 
 #include "rendering/noise_estimate.hpp"
 #include "rendering/pixel_list.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/film_view.hpp"
 
 namespace penumbra {
 

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -79,15 +81,23 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+// What the objects of a kind are called: one of them, and several.
+struct KindName {
+  std::string_view one, several;
+};
+
 // Shapes in their own space; the object's `group_from_object` places them.
 struct Sphere {
+  static constexpr KindName name{"sphere", "spheres"};
   Vec3 center;
   double radius = 1;
 };
 struct Box {
+  static constexpr KindName name{"box", "boxes"};
   Vec3 lo, hi;  // lo <= hi in every axis
 };
 struct Cylinder {  // along y
+  static constexpr KindName name{"cylinder", "cylinders"};
   double radius = 1;
   double x = 0, z = 0;
   double y_min = 0, y_max = 1;
@@ -97,18 +107,25 @@ struct Cylinder {  // along y
 // `count` triangles of TriangleStore from `first` on: one triangle, one polygon, a run of them, or a whole mesh file.
 // Their positions are in the space of the group already; `group_from_object` is not applied to them.
 struct TriangleRange {
+  static constexpr KindName name{"triangle", "triangles"};
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
 // Places what a name stands for: group = M_instance * (what the object had when it was defined).
 struct Instance {
+  static constexpr KindName name{"instance", "instances"};
   std::uint32_t definition = 0;  // index into Scene::definitions
 };
 
 struct Group;
 
-using Shape = std::variant<Sphere, Box, Cylinder, TriangleRange, Instance, std::shared_ptr<const Group>>;
+using Shape = std::variant<Sphere, Box, Cylinder, TriangleRange, std::shared_ptr<const Group>, Instance>;
+
+// The kinds that are one shape, whose numbers are all in the object.
+template <typename Kind>
+concept AnalyticShape = !std::is_same_v<Kind, TriangleRange> && !std::is_same_v<Kind, Instance> &&
+                        !std::is_same_v<Kind, std::shared_ptr<const Group>>;
 
 // One object of a group. Objects are in the order in which the file names them: at equal distance the first wins.
 struct Object {
@@ -119,8 +136,19 @@ struct Object {
 };
 
 struct Group {
+  static constexpr KindName name{"group", "groups"};
   std::vector<Object> objects;
 };
+
+inline KindName name_of(const Shape& shape) {
+  const auto name = []<typename Kind>(const Kind&) {
+    if constexpr (std::is_same_v<Kind, std::shared_ptr<const Group>>)
+      return Group::name;
+    else
+      return Kind::name;
+  };
+  return std::visit(name, shape);
+}
 
 // All triangles of a scene, indexed, in the order of the file: corner k of triangle i is vertices[indices[3 i + k]].
 // Shared between the pictures of one file: it only grows.

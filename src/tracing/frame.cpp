@@ -5,10 +5,6 @@
 namespace penumbra {
 namespace {
 
-void set3(float (&out)[3], Vec3 v) {
-  for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
-}
-
 struct Axes {
   Vec3 u, v;
 };

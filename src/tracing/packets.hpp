@@ -17,7 +17,7 @@ struct PacketRenderer {
   const FilmView& film;
   const PixelSamples& wanted;
   RayCounts& counts;
-  RayRecorder* recorder = nullptr;
+  [[no_unique_address]] Recorder recorder;
   PatternChoice pattern = frame.pattern_choice();
   float quanta = static_cast<float>(1 / frame.color_quantum);  // of a colour of 1
 
@@ -26,7 +26,7 @@ struct PacketRenderer {
                                   int samples_per_pixel, Mask active, PixelSums& sums) const {
     const Sampler sampler(pattern, pixel, first, samples_per_pixel);
     const Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
-    counts.camera += static_cast<std::uint64_t>(count(active));
+    counts[RayKind::eye] += static_cast<std::uint64_t>(count(active));
     const TraceContext context{frame, sampler, counts, recorder};
     FirstHits first_hits;
     const bool wants_first = film.depth || film.normal || film.albedo;

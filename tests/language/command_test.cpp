@@ -7,7 +7,6 @@
 #include <set>
 #include <sstream>
 
-#include "language/other_programs.hpp"
 #include "language/reference_page.hpp"
 #include "support.hpp"
 

@@ -22,7 +22,7 @@ TEST(Limits, ofThePictureSize) {
   EXPECT_EQ(told("image_size 65536 4097\n"),
             "s.cli:1:12: error: a picture of 65536 x 4097 pixels is too large; 268435456 pixels are the most\n"
             "  image_size 65536 4097\n             ^~~~~\n");
-  EXPECT_EQ(scene_of(light + ball + "image_size 65536 4096\n").height, 4096);
+  EXPECT_EQ(scene_of(light + ball + "image_size 65536 4096\n").settings.height, 4096);
 }
 
 TEST(Limits, ofTheRays) {

@@ -236,7 +236,7 @@ TEST(Adaptive, ThePictureIsAsGoodAsAskedFor) {
       EXPECT_LT(rmse_clamped(picture.film.color(), truth), 1.2 * error);
       EXPECT_EQ(picture.result.unfinished_pixels, 0u);
       EXPECT_GT(picture.samples_per_pixel(), samples_before);
-      EXPECT_EQ(picture.result.rays.camera, picture.film.total_samples());
+      EXPECT_EQ(picture.result.rays[RayKind::eye], picture.film.total_samples());
       samples_before = picture.samples_per_pixel();
     }
   }

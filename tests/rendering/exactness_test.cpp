@@ -213,11 +213,11 @@ TEST(Exactness, ProgressCountsEverySample) {
   RenderState state;
   const RayCounts rays = render_samples(film, frame, *usable_kernels().back(), plan, {0, 5}, state);
   EXPECT_EQ(state.pixel_samples_done.load(), 37u * 26u * 5u);
-  EXPECT_EQ(rays.camera, 37u * 26u * 5u);
+  EXPECT_EQ(rays[RayKind::eye], 37u * 26u * 5u);
   EXPECT_EQ(state.rays.load(), rays.total());
-  EXPECT_GT(rays.shadow, 0u);
-  EXPECT_GT(rays.reflection, 0u);
-  EXPECT_GT(rays.transmission, 0u);
+  EXPECT_GT(rays[RayKind::shadow], 0u);
+  EXPECT_GT(rays[RayKind::reflection], 0u);
+  EXPECT_GT(rays[RayKind::transmission], 0u);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# The program and its modules have C++ libraries of their own. Fails unless what a module finds wrong comes out as the
-# program's own sentence and exit code.
+# Fails unless what a library finds wrong that is loaded on the way comes out as the program's own sentence and exit code.
 # usage: check_modules.sh PENUMBRA
 set -euo pipefail
 folder=$(mktemp -d)

@@ -297,7 +297,7 @@ TEST(ConeLens, CountsItsSamples) {
   settings.lens_model = LensModel::cone;
   const RayCounts rays =
       render_text("image_size 20 10\nrays_per_pixel 5\ncamera_lens 1 2 5\nsphere 1 0 0 -4\n", settings).rays;
-  EXPECT_EQ(rays.camera, 1000u);
+  EXPECT_EQ(rays[RayKind::eye], 1000u);
   EXPECT_EQ(rays.total(), 1000u);
 }
 

@@ -18,10 +18,7 @@ std::string to_json(const RenderStats& s) {
   json["render_seconds"] = s.render_seconds;
   json["render_cpu_seconds"] = s.render_cpu_seconds;
   json["write_seconds"] = s.write_seconds;
-  json["rays"] = {{"camera", s.rays.camera},
-                  {"shadow", s.rays.shadow},
-                  {"reflection", s.rays.reflection},
-                  {"transmission", s.rays.transmission}};
+  for (std::size_t kind = 0; kind < ray_kind_count; kind++) json["rays"][ray_kind_names[kind]] = s.rays.counts[kind];
   json["rays_per_second"] = static_cast<double>(s.rays.total()) / std::max(s.render_seconds, 1e-9);
   json["samples"] = s.samples;
   json["threads"] = s.threads;

@@ -259,9 +259,9 @@ TEST(Lenient, skipsCommandsOfOtherProgramsWithAWarning) {
             "s.cli:4:1: error: unknown command `qwertzuiop`\n  qwertzuiop 1 2\n  ^~~~~~~~~~\n");
   const SceneFile file = read(text, {.lenient = true});
   EXPECT_EQ(told(file),
-            "s.cli:3:1: warning: `caustic_photons` is no command of this program; the line is skipped\n"
+            "s.cli:3:1: warning: `caustic_photons` is not a command of this program; the line is skipped\n"
             "  caustic_photons 100 5 2\n  ^~~~~~~~~~~~~~~\n"
-            "s.cli:4:1: warning: `qwertzuiop` is no command of this program; the line is skipped\n"
+            "s.cli:4:1: warning: `qwertzuiop` is not a command of this program; the line is skipped\n"
             "  qwertzuiop 1 2\n  ^~~~~~~~~~\n");
   EXPECT_EQ(pictures(file).size(), 1u);
 }

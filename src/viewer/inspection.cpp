@@ -12,7 +12,7 @@
 namespace penumbra {
 namespace {
 
-// Plotting many samples of a scene where each has thousands of rays would hold up the window.
+// Plotting many samples of a scene where each has thousands of rays would block the window.
 constexpr std::chrono::milliseconds patience(15);
 constexpr std::size_t most_rays_of_plotted_sample = 1024;
 
@@ -77,7 +77,7 @@ class Plotter {
   std::vector<int> light_;
 };
 
-// As one word of a shell.
+// The text as one word of a shell command.
 std::string quoted(const std::string& text) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -167,7 +167,7 @@ class KeyTests(Tests):
     def test_copy(self):
         window = self.open_tiny("--rays", "4")
         window.wait_for_rays(4)
-        window.press("c", lambda s: s["message"] == "nothing is changed", "a message")
+        window.press("c", lambda s: s["message"] == "nothing has been changed", "a message")
         window.press("l", lambda s: current(s) and s["sides"][0]["without"] == "lens", "no lens")
         window.press("d", lambda s: current(s) and "disk-lights" in s["sides"][0]["without"], "no disk lights")
         window.press("plus", lambda s: s["limit"] == 8, "8 rays")

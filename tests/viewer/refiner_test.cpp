@@ -35,7 +35,7 @@ class RefinerTest : public testing::Test {
     return {{}, loaded_, {options}, limit};
   }
 
-  // Waits for news of which `condition` is true.
+  // Waits for news for which `condition` holds.
   template <typename Condition>
   RefinerNews wait(Condition&& condition) {
     const auto end = std::chrono::steady_clock::now() + 120s;
@@ -44,10 +44,10 @@ class RefinerTest : public testing::Test {
       if (condition(news)) return news;
       std::this_thread::sleep_for(1ms);
     }
-    ADD_FAILURE() << "waited in vain";
+    ADD_FAILURE() << "timed out";
     return {};
   }
-  // For tasks that stop there: of others, news can be later than that.
+  // Only for tasks that stop at `rays`: others may be past it at the next look.
   std::shared_ptr<const Refinement> wait_for_rays(std::uint32_t rays) {
     return wait([rays](const RefinerNews& news) { return news.picture && news.picture->rays == rays; }).picture;
   }

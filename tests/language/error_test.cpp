@@ -1,11 +1,11 @@
-// The text of every error and warning about a command. Files, meshes and limits have tests of their own.
+// The text of every error and warning about a command. Files, meshes and limits have their own tests.
 #include "support.hpp"
 
 namespace penumbra {
 namespace {
 
 struct Case {
-  std::string text;  // what is wrong is in the last line that matters
+  std::string text;
   std::string told;
 };
 

@@ -1,4 +1,4 @@
-// Numbers written as {expression}: their values, and what is said of those that are wrong.
+// Numbers written as {expression}: their values, and the errors of wrong ones.
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +16,7 @@ double value_of(const std::string& expression, const Moment& moment = {}) {
   return file.actions.empty() ? NAN : pictures(file).front().scene->camera.eye.x;
 }
 
-// What is said of `eye EXPRESSION 0 0`: the column and the sentence.
+// The first line of the error of `eye EXPRESSION 0 0`.
 std::string complaint(const std::string& expression) {
   const SceneFile file = read("eye " + expression + " 0 0\n");
   EXPECT_TRUE(file.actions.empty()) << expression;
@@ -141,7 +141,7 @@ TEST(Expression, isNoNameOfAFile) {
   EXPECT_EQ(list[0].file, "{a b}.png");
 }
 
-// Deep nesting, towers of signs and half expressions: an answer, whatever it is.
+// Deep nesting, chains of operators and incomplete expressions: reading must end, with whatever answer.
 TEST(Expression, ofAnySortIsRead) {
   for (const char* part : {"(", ")", "-", "1^", "sin(", "max(1,", "1?", "1?2:", "(1?", ",", ":", "&&", "t"}) {
     std::string text = "eye {";

@@ -1,4 +1,4 @@
-// Bounds that keep any input from exhausting the machine.
+// Limits that keep any input from exhausting the machine.
 #include <fmt/format.h>
 
 #include "support.hpp"
@@ -55,7 +55,7 @@ TEST(Limits, ofInstancesAndGroupsTogether) {
 }
 
 TEST(Limits, forgetWhatWasNamedAway) {
-  // The deep group is named, so the group around it is not deep any more.
+  // The deep group is named, so the group around it is no longer deep.
   const std::string deep = repeated("begin_list\n", 60) + ball + repeated("end_list\n", 60) + "named_object deep\n";
   EXPECT_EQ(
       told(light + "begin_list\n" + ball + deep + "end_list\nnamed_object flat\nbegin_list\ninstance flat\nend_list\n" +

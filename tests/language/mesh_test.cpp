@@ -1,4 +1,4 @@
-// OBJ and PLY files, right and wrong.
+// OBJ and PLY files, valid and invalid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -198,7 +198,7 @@ TEST(Ply, followsTheMatrix) {
   EXPECT_EQ(corners(scene, 1)[1], (Vec3{3, 0, -8}));
 }
 
-// (B-A)x(C-A) of a triangle of the store, by its sign along z.
+// The z component of (B-A)x(C-A) of a triangle of the store.
 double outward_z(const Scene& scene, std::size_t triangle) {
   const auto corner = [&](std::size_t k) {
     const float* p = &scene.triangles->vertices[3 * std::size_t{scene.triangles->indices[3 * triangle + k]}];

@@ -49,9 +49,10 @@ int tile_count(const SceneFile& file, const RenderOptions& options) {
   for (const Action& action : file.actions) {
     const auto* picture = std::get_if<Picture>(&action);
     if (!picture) continue;
-    const auto [width, height] = options.size.value_or(std::pair(picture->scene->settings.width, picture->scene->settings.height));
-    fewest =
-        std::min(fewest, tiles_of(options.crop.value_or(Crop{0, 0, width, height}), options.sample_counts()).count());
+    const auto [width, height] =
+        options.size.value_or(std::pair(picture->scene->settings.width, picture->scene->settings.height));
+    fewest = std::min(fewest,
+                      tiles_of(options.crop.value_or(PixelRect{0, 0, width, height}), options.sample_counts()).count());
   }
   return fewest;
 }

@@ -1,7 +1,5 @@
 #include "app/finished_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "app/part_file.hpp"
@@ -14,13 +12,12 @@ namespace penumbra {
 
 std::string content_key(const PictureKey& key, const Development& development) {
   ArchiveWriter archive;
-  exchange_key(archive, key);
+  serialize(archive, key);
   ContentHasher hasher;
   hasher.add(archive.bytes());
   const std::string rest = to_bytes(development);
   hasher.add(std::as_bytes(std::span(rest)));
-  const ContentHash hash = hasher.value();
-  return fmt::format("{:016x}{:016x}", hash.high, hash.low);
+  return to_hex(hasher.value());
 }
 
 bool is_finished_picture(const std::filesystem::path& file, const std::string& content) {
@@ -43,7 +40,7 @@ bool is_finished_part(const std::filesystem::path& file, const PictureKey& key, 
     const std::vector<std::byte> bytes = read_file(file);
     const std::string name = file.string();
     const Part part(part_in_file(bytes, name), name);
-    return !difference(key, part.header().key) && part.header().shard == shard &&
+    return difference(key, part.header().key).empty() && part.header().shard == shard &&
            part.header().development == to_bytes(development);
   } catch (const FileError&) {
     return false;

@@ -18,6 +18,7 @@
 #include "app/stats.hpp"
 #include "app/video.hpp"
 #include "base/atomic_file.hpp"
+#include "base/thread_count.hpp"
 #include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "language/scene_file.hpp"
@@ -174,7 +175,7 @@ class RenderRun {
   Job job_for(const Picture& picture, int number) const {
     Job job;
     job.scene = with_options(*picture.scene, options_);
-    job.plan.crop = options_.crop.value_or(Crop{0, 0, job.scene.settings.width, job.scene.settings.height});
+    job.plan.crop = options_.crop.value_or(PixelRect{0, 0, job.scene.settings.width, job.scene.settings.height});
     job.plan.layers = options_.layers;
     job.plan.threads = options_.threads > 0 ? options_.threads : default_thread_count();
     job.plan.shard = options_.sitting.shard.value_or(Shard{});

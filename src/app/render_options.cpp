@@ -21,7 +21,7 @@ void set_crop(RenderOptions& options, const std::string& text) {
                                                      "open, from the top left; found `{}`",
                                                      text));
   }
-  options.crop = Crop{n[0], n[1], n[2], n[3]};
+  options.crop = PixelRect{n[0], n[1], n[2], n[3]};
 }
 
 void set_debug_pixel(RenderOptions& options, const std::string& text) {

@@ -9,8 +9,8 @@
 #include "app/machine_arguments.hpp"
 #include "app/picture_arguments.hpp"
 #include "base/large_heap.hpp"
+#include "base/thread_count.hpp"
 #include "rendering/isa.hpp"
-#include "rendering/render.hpp"
 #include "viewer/scene_folder.hpp"
 #include "viewer/window/run_window.hpp"
 

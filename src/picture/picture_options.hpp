@@ -1,5 +1,5 @@
-// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of it.
-// option_table.hpp has a row for each of them.
+// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of
+// it. option_table.hpp has a row for each of them.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct PictureOptions {
   std::optional<int> reflection_rays, transmission_rays, shadow_rays;
   std::optional<Pattern> sampler;
   std::optional<std::uint32_t> seed;
-  std::optional<Crop> crop;
+  std::optional<PixelRect> crop;
   std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;

@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/pixel_rect.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
 
-inline constexpr int most_side = 65'536;      // pixels of a picture, either way
-inline constexpr int most_pixels = 1 << 28;   // of a picture in all
-inline constexpr int most_rays_per_pixel = 1 << 24;     // through a pixel
-inline constexpr int most_hit_rays = 65'536;  // of one kind from one hit
-inline constexpr int most_depth = 100;        // the deepest recursion of rays that there is stack for
+inline constexpr int most_side = 65'536;             // pixels of a picture, either way
+inline constexpr int most_rays_per_pixel = 1 << 24;  // through a pixel
+inline constexpr int most_hit_rays = 65'536;         // of one kind from one hit
+inline constexpr int most_depth = 100;               // the deepest recursion of rays that there is stack for
 
 // The two ways in which the lecture simulates a lens (slides 49 and 50).
 enum class LensModel : std::uint8_t {

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "base/test_scale.hpp"
-#include "rendering/adaptive.hpp"
 #include "rendering/all_effects.hpp"
 #include "rendering/call_counts.hpp"
+#include "rendering/film_values.hpp"
+#include "rendering/render_adaptive.hpp"
 #include "rendering/render_text.hpp"
 
 namespace penumbra::test {
@@ -31,13 +32,13 @@ CallCounts calls_of(const Work& work) {
   return {after.allocations - before.allocations, after.locks - before.locks};
 }
 
-Crop full(const Scene& scene) { return {0, 0, scene.settings.width, scene.settings.height}; }
+PixelRect full(const Scene& scene) { return {0, 0, scene.settings.width, scene.settings.height}; }
 
 // A frame for both a small picture and one of four times the tiles, which is all of it.
 struct Setting {
   Scene scene;
   Frame frame;
-  Crop small{};
+  PixelRect small{};
 
   explicit Setting(const std::string& text, Pattern pattern = default_pattern) : scene(scene_from(text)) {
     RenderSettings settings;
@@ -48,14 +49,14 @@ struct Setting {
     small = {side / 4, side / 4, 3 * side / 4, 3 * side / 4};
   }
 
-  CallCounts calls(const Crop& crop, std::uint32_t samples, int threads) const {
+  CallCounts calls(const PixelRect& crop, std::uint32_t samples, int threads) const {
     Film film(crop, all_layers);
     RenderState state;
     const Kernel& kernel = *usable_kernels().back();
     return calls_of([&] { render_samples(film, frame, kernel, {crop, all_layers, threads}, {0, samples}, state); });
   }
 
-  CallCounts adaptive_calls(const Crop& crop, float error, std::uint32_t most, int threads) const {
+  CallCounts adaptive_calls(const PixelRect& crop, float error, std::uint32_t most, int threads) const {
     Film film(crop, all_layers, SampleCounts::per_pixel);
     RenderState state;
     const Kernel& kernel = *usable_kernels().back();

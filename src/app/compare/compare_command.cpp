@@ -87,7 +87,7 @@ int report_error(const CompareOptions& options, Verdict verdict, const std::stri
 
 // The size, and for a crop its place.
 std::string describe(const ImageFile& file) {
-  const Window& w = file.window;
+  const PixelRect& w = file.window;
   std::string size = fmt::format("{} x {} pixels", w.width(), w.height());
   if (!is_crop(file)) return size;
   return fmt::format("{} from ({}, {}) of {} x {}", size, w.x0, w.y0, file.full_width, file.full_height);

@@ -1,6 +1,5 @@
-#include "rendering/portion.hpp"
+#include "rendering/chunk.hpp"
 
-#include <algorithm>
 #include <bit>
 
 namespace penumbra {
@@ -23,12 +22,8 @@ double rays_of_sample(const Frame& frame) {
 
 }  // namespace
 
-std::uint32_t Portion::end_after(std::uint32_t first, std::uint32_t end) const {
-  const std::uint32_t aligned = first / samples_of_packet * samples_of_packet;
-  return end - aligned > samples ? aligned + samples : end;
-}
-
-Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples) {
+ChunkSize chunk_size(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples) {
+  pixels = std::bit_ceil(pixels);
   const double samples = rays_at_once / rays_of_sample(frame);
   const auto packets = [&] { return samples / (double{samples_of_packet} * static_cast<double>(pixels)); };
   const double fewest_packets = std::max(static_cast<double>(fewest_samples) / samples_of_packet, 1.0);
@@ -36,20 +31,9 @@ Portion portion_for(const Frame& frame, std::size_t pixels, std::uint32_t fewest
   return {pixels, static_cast<std::uint32_t>(std::max(packets(), 1.0)) * samples_of_packet};
 }
 
-bool render_portions(const FilmView& film, const Frame& frame, const Kernel& kernel, std::span<const PixelPlace> pixels,
-                     SampleRange range, RayCounts& counts, const RenderState& state) {
-  const Portion portion = portion_for(frame, std::bit_ceil(pixels.size()));
-  for (std::uint32_t first = range.first; first < range.end;) {
-    const std::uint32_t end = portion.end_after(first, range.end);
-    for (auto left = pixels; !left.empty();) {
-      if (state.stop.load(std::memory_order_relaxed)) return false;
-      const auto next = portion.next_of(left);
-      kernel.render_pixels(frame, film, {next, first, end}, counts);
-      left = left.subspan(next.size());
-    }
-    first = end;
-  }
-  return true;
+std::uint32_t Chunk::end_after(std::uint32_t first, std::uint32_t end) const {
+  const std::uint32_t aligned = first / samples_of_packet * samples_of_packet;
+  return end - aligned > samples ? aligned + samples : end;
 }
 
 }  // namespace penumbra

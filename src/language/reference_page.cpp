@@ -68,9 +68,10 @@ their mean is its colour. Lens, time, every light and every bounce have sample d
 )";
 
 constexpr std::string_view about_lights = R"(
-Light does not weaken with distance. Lights are not moved by the matrix. A shadow ray to a disk light goes to a point of
-its own, chosen evenly over the disk, and the angle at the surface is that to the same point. Both sides of the disk
-shine, and the angle at the disk does not matter. Between its two angles a spotlight fades by a smoothstep of the cosine.
+Light does not weaken with distance. Lights are not moved by the matrix. A shadow ray to a light with an area goes to a
+point of its own, chosen evenly over the area, and the angle at the surface is that to the same point. Both sides of the
+light shine, and the angle at the light does not matter. Between its two angles a spotlight fades by a smoothstep of the
+cosine.
 )";
 
 constexpr std::string_view about_surfaces = R"(

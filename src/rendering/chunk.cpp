@@ -12,7 +12,7 @@ constexpr double rays_at_once = 1 << 19;
 double rays_of_sample(const Frame& frame) {
   double at_eye = 1, deeper = 1;
   for (const FrameLight& light : frame.lights) {
-    at_eye += light.kind == LightKind::disk ? frame.settings.shadow_rays : 1;
+    at_eye += light.has_area ? frame.settings.shadow_rays : 1;
     deeper += 1;
   }
   const Settings& settings = frame.settings;

@@ -17,11 +17,10 @@
 
 #include "base/vec.hpp"
 #include "base/zeroed_pages.hpp"
+#include "scene/light.hpp"
 #include "scene/settings.hpp"
 
 namespace penumbra {
-
-using Color = Vec3;  // r, g, b; linear; 1 is the full output value, never clamped before the output
 
 struct Camera {
   double fov_degrees = 60;    // full angle over the shorter side of the picture, below 180
@@ -36,30 +35,6 @@ struct Camera {
   double shutter_open = 0;
   double shutter_close = 1;
 };
-
-struct PointLight {
-  Vec3 position;
-  Color color;
-};
-
-// Each shadow ray goes to its own point, uniform over the disk's area; no cosine, no falloff, both sides shine.
-struct DiskLight {
-  Vec3 center;
-  double radius = 0;
-  Vec3 direction{0, -1, 0};  // normal of the disk, any length but zero
-  Color color;
-};
-
-// Full inside `inner_degrees` from the axis, none beyond `outer_degrees`, smoothstep between the cosines.
-struct SpotLight {
-  Vec3 position;
-  Vec3 direction{0, 0, -1};  // the axis, any length but zero
-  double inner_degrees = 0;
-  double outer_degrees = 0;
-  Color color;
-};
-
-using Light = std::variant<PointLight, DiskLight, SpotLight>;
 
 enum class Highlight : std::uint8_t { phong, blinn };  // max(0, R.V)^p or max(0, N.H)^p
 enum class Texture : std::uint8_t { none, noise, wood, marble, stone };

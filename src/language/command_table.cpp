@@ -115,7 +115,7 @@ constexpr std::array table{
             actions::reflection_rays},
     Command{"transmission_rays", sampling, takes<rays_each>, "the same for transmitted rays; 1",
             actions::transmission_rays},
-    Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each disk light; 1",
+    Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each light with an area; 1",
             actions::shadow_rays},
 
     Command{"light", lights, takes<x, y, z, r, g, b>, "a point light, equally bright at every distance",

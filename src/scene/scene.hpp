@@ -17,11 +17,10 @@
 
 #include "base/vec.hpp"
 #include "base/zeroed_pages.hpp"
+#include "scene/light.hpp"
 #include "scene/settings.hpp"
 
 namespace penumbra {
-
-using Color = Vec3;  // linear r, g, b; 1 is full output; never clamped before the output
 
 struct Camera {
   double fov_degrees = 60;    // full angle over the shorter side of the picture, below 180
@@ -36,30 +35,6 @@ struct Camera {
   double shutter_open = 0;
   double shutter_close = 1;
 };
-
-struct PointLight {
-  Vec3 position;
-  Color color;
-};
-
-// Each shadow ray goes to its own point, uniform over the disk's area. Both sides emit, without a cosine or falloff.
-struct DiskLight {
-  Vec3 center;
-  double radius = 0;
-  Vec3 direction{0, -1, 0};  // normal of the disk, of any nonzero length
-  Color color;
-};
-
-// Full within `inner_degrees` of the axis, none beyond `outer_degrees`; between them, a smoothstep of the cosine.
-struct SpotLight {
-  Vec3 position;
-  Vec3 direction{0, 0, -1};  // the axis, of any nonzero length
-  double inner_degrees = 0;
-  double outer_degrees = 0;
-  Color color;
-};
-
-using Light = std::variant<PointLight, DiskLight, SpotLight>;
 
 enum class Highlight : std::uint8_t { phong, blinn };  // max(0, R.V)^p or max(0, N.H)^p
 enum class Texture : std::uint8_t { none, noise, wood, marble, stone };

@@ -1,16 +1,16 @@
 // The settings of a picture, apart from what it shows, as one value: its size and how its rays are spent. A scene sets
-// them, the options of a command change them, and the rendered frame carries them. Their limits are defined only here.
+// them, the options of a command change them, and the rendered frame carries them. Most of their limits are here.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
+#include "base/pixel_rect.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
 
 inline constexpr int most_side = 65'536;             // pixels, of the width and of the height
-inline constexpr int most_pixels = 1 << 28;          // in the whole picture
 inline constexpr int most_rays_per_pixel = 1 << 24;  // through a pixel
 inline constexpr int most_hit_rays = 65'536;         // of one kind, sent from one hit
 inline constexpr int most_depth = 100;               // the deepest recursion of rays that fits on the stack

@@ -36,7 +36,7 @@ struct Inspection {
   RayTree tree;
   std::string text;
   std::string command;         // the call of `penumbra render` that prints the same text
-  std::vector<DotPlot> plots;  // in the pixel, on the lens, in time, on each disk light
+  std::vector<DotPlot> plots;  // in the pixel, on the lens, in time, on each light with an area
   std::uint32_t shown = 0;     // how many samples, from the first on, are in the plots
 };
 

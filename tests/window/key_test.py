@@ -81,13 +81,13 @@ class KeyTests(Tests):
 
     def test_pause(self):
         window = self.open_tiny()
-        window.press("space", lambda s: s["paused"], "a pause")
-        time.sleep(0.3)  # a pass that was almost done still counts
-        rays = window.press("h", lambda s: s["help"], "help")["rays"]
-        time.sleep(0.1)
-        frame = window.press("h", lambda s: not s["help"], "no help")
-        assert frame["rays"] == rays, "it continues while it is paused"
-        window.press("space", lambda s: not s["paused"] and s["rays"] > rays, "more rays")
+        before = window.press("space", lambda s: s["paused"], "a pause")
+        window.press("r", lambda s: s["task"] > before["task"] and current(s) and s["rays"] == 1, "the first picture")
+        for _ in range(10):
+            window.press("h", lambda s: s["help"], "help")
+            state = window.press("h", lambda s: not s["help"], "no help")
+            assert current(state) and state["rays"] == 1, "it continues while it is paused"
+        window.press("space", lambda s: not s["paused"] and s["rays"] > 1, "more rays")
 
     def test_restart(self):
         window = self.open_tiny()

@@ -1,18 +1,18 @@
-# The short way to everything. The work is done by CMake's presets; this file only calls them.
+# The short way to everything. CMake's presets do the work; this file only calls them.
 #
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  what takes longer: all tests, twenty minutes of fuzzing, random events for the window, point sets
-#                   of every size, adaptive errors, renders killed 200 times and 500 times while they write
-#   make test-cluster  a frame and an animation on a Slurm of three nodes on this machine, with all that can go wrong on a cluster
-#   make bench      compare speeds, as ratios of runs taken in turn, also with the last tag or with BEFORE=REVISION
-#   make bench-peers  compare with POV-Ray and Cycles, for half an hour (docs/performance.md)
-#   make instructions  write down how many instructions four small renders take now (bench/README.md)
+#   make test-long  all tests, and those that take longer: twenty minutes of fuzzing, random events for the window,
+#                   point sets of every size, adaptive errors, renders killed 200 times, and 500 times while they write
+#   make test-cluster  a frame and an animation on a three-node Slurm on this machine, and all that can go wrong there
+#   make bench      compare speeds, as ratios of runs taken in turn, also with the last tag or BEFORE=REVISION
+#   make bench-peers  compare with POV-Ray and Cycles; takes half an hour (docs/performance.md)
+#   make instructions  record how many instructions four small renders take now (bench/README.md)
 #   make lint       formatting and static analysis
 #   make format     format the code
-#   make docs       make again the pages that are generated
-#   make gallery    render the pictures of docs/lecture.md, from the scenes of the lecture
+#   make docs       regenerate the generated pages and pictures
+#   make gallery    render the pictures of docs/lecture.md
 #   make clean      remove everything that was built
 
 JOBS := $(shell nproc)
@@ -52,7 +52,7 @@ test-cluster: build
 	@scripts/install-dependencies.sh cluster
 	@python3 tests/cluster/cluster_test.py --penumbra $(BUILD)/penumbra
 
-# Thousands of random events for the window, under AddressSanitizer and UndefinedBehaviorSanitizer and under
+# Thousands of random events for the window, under AddressSanitizer and UndefinedBehaviorSanitizer, then under
 # ThreadSanitizer.
 window-events:
 	@scripts/install-dependencies.sh test

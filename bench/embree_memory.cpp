@@ -31,7 +31,7 @@ int run(const char* path, const char* threads) {
   if (file.actions.empty()) throw std::runtime_error("no picture in this scene");
   const TriangleStore& store = *std::get<Picture>(file.actions.front()).scene->triangles;
   const EmbreeLibrary& embree = embree_library();
-  const SharedLibrary library("libembree3.so.3", "install the Debian package libembree3-3");
+  const SharedLibrary library(embree_file(), embree_advice());
   decltype(&rtcSetDeviceMemoryMonitorFunction) set_monitor = nullptr;
   library.load("rtcSetDeviceMemoryMonitorFunction", set_monitor);
 

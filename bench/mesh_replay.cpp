@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "base/large_heap.hpp"
 #include "base/shared_library.hpp"
 #include "geometry/embree_library.hpp"
 #include "language/scene_file.hpp"
@@ -120,7 +119,7 @@ std::vector<RTCScene> scenes_of(const Frame& frame) {
 }
 
 void remove_filters(const Frame& frame) {
-  const SharedLibrary file("libembree3.so.3", "install the Debian package libembree3-3");
+  const SharedLibrary file(embree_file(), embree_advice());
   decltype(&rtcGetGeometry) get_geometry = nullptr;
   file.load("rtcGetGeometry", get_geometry);
   const EmbreeLibrary& embree = embree_library();
@@ -196,7 +195,6 @@ int run(const char* rendered_path, const char* replayed_path, std::uint32_t rays
 }  // namespace
 
 int main(int argc, char** argv) {
-  use_large_heap();
   if (argc < 3) {
     fmt::print(stderr, "usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]\n");
     return 64;

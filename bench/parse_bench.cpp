@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "base/large_heap.hpp"
 #include "language/scene_file.hpp"
 
 namespace {
@@ -158,7 +157,6 @@ void measure_mesh(const std::string& what, const fs::path& mesh) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  penumbra::use_large_heap();
   const double megabytes = argc > 1 ? std::atof(argv[1]) : 100;
   const fs::path folder = fs::temp_directory_path() / fmt::format("penumbra-parse-bench-{}", ::getpid());
   fs::create_directories(folder);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <variant>
 
+#include "geometry/leaf.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {
@@ -17,6 +18,13 @@ inline void require_sound(const TriangleStore& store) {
   require(store.vertices.size() % 3 == 0 && store.indices.size() % 3 == 0);
   for (const float value : store.vertices) require(std::isfinite(value));
   for (const std::uint32_t index : store.indices) require(index < store.vertices.size() / 3);
+}
+
+template <AnalyticShape Shape>
+void require_sound(const Shape& shape) {
+  const Bounds bounds = bounds_of(shape);
+  require(is_finite(bounds.lo) && is_finite(bounds.hi) && min(bounds.lo, bounds.hi) == bounds.lo);
+  if constexpr (requires { shape.radius; }) require(shape.radius > 0);
 }
 
 // `definitions` is how many may be named: inside definition k only those before it, so that nothing contains itself.
@@ -33,12 +41,11 @@ inline void require_sound(const Scene& scene, const Object& object, std::size_t 
     require(*group != nullptr);
     for (const Object& inner : (*group)->objects) require_sound(scene, inner, definitions);
     return;
-  } else if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-    require(sphere->radius > 0 && is_finite(sphere->center));
-  } else if (const auto* box = std::get_if<Box>(&object.shape)) {
-    require(box->lo.x <= box->hi.x && box->lo.y <= box->hi.y && box->lo.z <= box->hi.z);
-  } else if (const auto* cylinder = std::get_if<Cylinder>(&object.shape)) {
-    require(cylinder->radius > 0 && cylinder->y_min <= cylinder->y_max);
+  } else {
+    const auto check = []<typename Kind>(const Kind& shape) {
+      if constexpr (AnalyticShape<Kind>) require_sound(shape);
+    };
+    std::visit(check, object.shape);
   }
   require(object.surface < scene.surfaces.size());
 }
@@ -46,7 +53,8 @@ inline void require_sound(const Scene& scene, const Object& object, std::size_t 
 inline void require_sound(const Scene& scene) {
   require(scene.triangles != nullptr);
   require_sound(*scene.triangles);
-  require(scene.settings.width > 0 && scene.settings.height > 0 && scene.settings.rays_per_pixel > 0 && scene.settings.max_depth >= 0);
+  require(scene.settings.width > 0 && scene.settings.height > 0 && scene.settings.rays_per_pixel > 0 &&
+          scene.settings.max_depth >= 0);
   require(scene.camera.fov_degrees > 0 && scene.camera.fov_degrees < 180);
   require(scene.camera.shutter_open <= scene.camera.shutter_close && scene.camera.focus_distance > 0);
   for (const Affine& placement : scene.placements) require(is_finite(inverse(placement).translation));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Enlarges an 8-bit RGB PNG by a whole factor, every pixel a square, so that single pixels can be seen in a page.
+"""Enlarges an 8-bit RGB PNG by an integer factor, each pixel to a square, so that single pixels can be seen on a page.
 
 usage: enlarge.py FACTOR FILE.png    (the file is replaced)
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every fuzzer of a folder for the given number of seconds each, from the files in fuzz/corpus. With a number as
-# third argument the inputs come in the same order each time; without it (0) they are others in every run.
+# Runs every fuzzer in a folder for the given number of seconds, starting from the files in fuzz/corpus. With a number
+# as third argument, the inputs are the same in every run; without it (0), they differ from run to run.
 set -euo pipefail
 folder=$1
 seconds=$2

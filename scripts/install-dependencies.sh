@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that a goal needs (build, test, lint; machines: what tests/machines runs on;
-# instructions: what bench/instructions.py counts with; peers: what bench/peers compares with; cluster: the Slurm of
-# tests/cluster), and only those that are missing: with everything there, no package manager is called and no network is
-# needed. Only apt runs with root's rights.
+# Installs the Debian packages that a goal needs (build, test, lint; machines: for tests/machines; instructions: for
+# bench/instructions.py; peers: for bench/peers; cluster: the Slurm of tests/cluster), and only the missing ones: if
+# none is missing, it calls no package manager and needs no network. Only apt runs as root.
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev zlib1g-dev
                 libdeflate-dev libcli11-dev libfmt-dev libmuparser-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev
                 libimgui-dev libgl-dev libopengl-dev)
-# The window is tested on an X server without a screen, with OpenGL in software and keys that are pressed for real.
+# The window is tested on a headless X server, with software OpenGL and real key presses.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 machines_packages=(qemu-user)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Formatting and static analysis of all sources of the project. Needs Clang's tools; prints what is wrong and fails.
+# Checks the formatting of all sources of the project and analyses them statically, with Clang's tools. Prints what is
+# wrong and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

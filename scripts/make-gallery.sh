@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Renders the pictures of docs/lecture.md into docs/images/lecture, one line for each.
 #
-# usage: make-gallery.sh PENUMBRA [PART-OF-NAME]    (with a part of a name: only the pictures whose names hold it)
+# usage: make-gallery.sh PENUMBRA [PART-OF-NAME]    (only the pictures whose names contain that part)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 penumbra=$1
@@ -18,7 +18,7 @@ picture() {
   "$penumbra" render "scenes/$scene" "$@" --quiet -o "$folder/$name.png"
 }
 
-# An enlarged detail: 64 x 48 pixels of such a picture, each as a square of five by five.
+# An enlarged detail: 64 x 48 pixels of such a picture, each enlarged to a square of 5 x 5.
 detail() {
   picture "$@" --crop 84,120,148,168
   [[ $1 == *"$wanted"* ]] || return 0
@@ -32,7 +32,7 @@ plot() {
   "$penumbra" samples --sampler "$2" -n 64 -o "$folder/$1.png" > /dev/null
 }
 
-# Pages 1 to 3: noise in place of artifacts
+# Pages 1 to 3: noise instead of artifacts
 picture idea-1             billiard.cli --size 320x240 --rays 1
 picture idea-64            billiard.cli --size 320x240 --rays 64
 
@@ -53,10 +53,10 @@ detail  detail-1           lecture/wheel.cli --rays 1 --sampler regular
 detail  detail-jittered-4  lecture/wheel.cli --rays 4 --sampler jittered
 detail  detail-jittered-64 lecture/wheel.cli --rays 64 --sampler jittered
 
-# Pages 15, 29, 38 and 63: which rays there are
+# Pages 15, 29, 38 and 63: the kinds of rays
 picture ray-tree           lecture/ray_tree.cli --transparent-shadows
 
-# Pages 17 to 20: reflected rays, one eye ray for each pixel
+# Pages 17 to 20: reflected rays, one eye ray per pixel
 picture reflection-perfect lecture/pencils_mirror.cli --rays 1
 picture reflection-10      lecture/pencils_glossy.cli --rays 1 --reflection-rays 10 --sampler jittered
 picture reflection-20      lecture/pencils_glossy.cli --rays 1 --reflection-rays 20 --sampler jittered
@@ -73,7 +73,7 @@ picture gloss-h-10         lecture/globe_wide.cli --rays 64
 picture gloss-h-45         lecture/globe_middle.cli --rays 64
 picture gloss-h-400        lecture/globe_narrow.cli --rays 64
 
-# Pages 30 to 33: transmitted rays, one eye ray for each pixel; then many eye rays
+# Pages 30 to 33: transmitted rays, one eye ray per pixel; then many eye rays
 picture transmission-perfect lecture/aquarium_clear.cli --rays 1
 picture transmission-10    lecture/aquarium_frosted.cli --rays 1 --transmission-rays 10 --sampler jittered
 picture transmission-20    lecture/aquarium_frosted.cli --rays 1 --transmission-rays 20 --sampler jittered

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the pictures of docs/viewer.md: opens the window on an X server without a screen, presses keys, and writes what
-is on the screen.
+"""Makes the pictures of docs/viewer.md: opens the window on a headless X server, presses keys, and takes screenshots.
 
 usage: make-window-pictures.py PENUMBRA"""
 
@@ -23,7 +22,7 @@ def main():
         return Window(display, penumbra, scene, *options, folder=folder)
 
     def take(window, name, height=640):
-        # The picture of the last event is on the screen two frames after it.
+        # The result of the last event is on the screen two frames later.
         frame = window.state["frame"]
         window.move(9, 9)
         window.move(3, 3)

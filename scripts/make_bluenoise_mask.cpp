@@ -1,11 +1,11 @@
-// Makes src/sampling/bluenoise_mask.cpp, in some minutes:
+// Makes the table of src/sampling/bluenoise_mask.cpp, in a few minutes:
 //   g++ -std=c++20 -O3 -march=native scripts/make_bluenoise_mask.cpp -o make_mask && ./make_mask > mask.txt
-// and the text of the table is in mask.txt.
+// writes the text of the table into mask.txt.
 //
-// The energy of a mask is the sum over pairs of pixels p, q of G(p - q) K(place of p, place of q): G is a Gaussian, and
-// so the Fourier transform of the energy weighs low frequencies only. K is the covariance of the errors of two pixels,
-// in the mean over the integrands that matter: minus the distance of two places is that of all half planes (Crofton),
-// in the square and in the disk; minus the differences of coordinates that of steps. For 2, 4 and 8 rays K is averaged
+// The energy of a mask is the sum over pairs of pixels p, q of G(p - q) K(place of p, place of q). G is a Gaussian, so
+// in the frequency domain the energy weights only low frequencies. K is the covariance of the errors of two pixels,
+// averaged over the integrands that matter: minus the distance between the two places for all half-planes (Crofton), in
+// the square and in the disk; minus the differences of their coordinates for steps. For 2, 4 and 8 rays, K is averaged
 // over the points that a pixel's place stands for (bluenoise.hpp), and added with a smaller weight.
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ Kernel covariance() {
             0.45 * std::abs(du - dv) + std::hypot(x[a] - x[b], y[a] - y[b])));
     }
   }
-  // Errors are what is left without the mean.
+  // An error is what remains after subtracting the mean.
   std::vector<double> means(cells);
   double mean = 0;
   for (int a = 0; a < cells; a++) {
@@ -95,7 +95,7 @@ class Mask {
     for (int p = 0; p < count(); p++) spread(p, -1, places_[p]);
   }
 
-  // Swaps each pixel with the one where this lowers the energy most, of every `stride`th.
+  // Swaps each pixel with the one, among every `stride`th, that lowers the energy most.
   void sweep(int stride, std::mt19937& random) {
     std::vector<int> order(places_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -136,7 +136,7 @@ class Mask {
  private:
   int count() const { return size_ * size_; }
   float k(int a, int b) const { return kernel_[std::size_t(a) * cells + b]; }
-  // What place a at pixel p costs, by the neighbours.
+  // What place a at pixel p costs, given its neighbours.
   float field(int p, int a) const { return field_[std::size_t(p) * cells + a]; }
 
   float gaussian(int p, int r) const {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Write the meshes of scene 9: scenes/meshes/knot.ply and scenes/meshes/gem.obj.
 
-knot.ply  a tube round a (2, 3) torus knot, the trefoil; binary PLY, closed, outward triangles
+knot.ply  a tube around a (2, 3) torus knot, the trefoil; binary PLY, closed, outward triangles
 gem.obj   a cut stone, convex and closed: table, crown, girdle and pavilion; OBJ, outward polygons
 
-Python 3 and its standard library are enough. The same files come out every time:
+Needs only Python 3 and its standard library, and writes the same files every time:
 
     python3 scripts/make_mesh.py            # into scenes/meshes
     python3 scripts/make_mesh.py FOLDER
@@ -30,14 +30,14 @@ def unit(a):
 
 
 def knot_point(turn):
-    """The trefoil's centre line, turn in [0, 1); it lies about the z axis and fits in a ball of radius 1.36."""
+    """The trefoil's centre line, turn in [0, 1); it lies around the z axis and fits in a ball of radius 1.36."""
     angle = 2 * math.pi * turn
     radius = 1 + 0.36 * math.cos(3 * angle)
     return (radius * math.cos(2 * angle), radius * math.sin(2 * angle), 0.42 * math.sin(3 * angle))
 
 
 def knot(around, along, thickness):
-    """Vertices and outward triangles of a tube round the knot: `along` rings of `around` vertices."""
+    """Vertices and outward triangles of a tube around the knot: `along` rings of `around` vertices."""
     vertices = []
     for i in range(along):
         centre = knot_point(i / along)
@@ -85,11 +85,11 @@ def write_ply(path, vertices, triangles):
 
 
 def gem(sides):
-    """A stone with its table up (+y) and its point down: polygons seen counter-clockwise from outside."""
+    """A stone with its table up (+y) and its point down: polygons counter-clockwise seen from outside."""
 
     def ring(radius, height, shift):
         step = 2 * math.pi / sides
-        # z runs against the angle, so that the ring goes round counter-clockwise seen from above.
+        # z is minus the sine, so that the ring runs counter-clockwise seen from above.
         return [(radius * math.cos(step * (i + shift)), height, -radius * math.sin(step * (i + shift))) for i in range(sides)]
 
     table, top, bottom = ring(0.56, 0.34, 0.0), ring(1.0, 0.05, 0.5), ring(1.0, -0.03, 0.5)

@@ -13,7 +13,6 @@
 #include "app/options/render_options.hpp"
 #include "app/samples/samples_command.hpp"
 #include "app/view/view_command.hpp"
-#include "base/large_heap.hpp"
 
 namespace penumbra {
 namespace {
@@ -40,7 +39,6 @@ int run(int argc, char** argv) {
 }  // namespace penumbra
 
 int main(int argc, char** argv) {
-  penumbra::use_large_heap();
   try {
     return penumbra::run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -34,6 +34,11 @@ inline Vec3 abs(Vec3 a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; 
 inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); }
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
+// Rounds to single precision, which is what packets work with.
+inline void set3(float (&out)[3], Vec3 v) {
+  for (int i = 0; i < 3; i++) out[i] = static_cast<float>(v[i]);
+}
+
 // An affine map p -> L p + t, with L held as its three columns.
 struct Affine {
   std::array<Vec3, 3> column{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};

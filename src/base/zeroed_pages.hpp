@@ -6,13 +6,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <utility>
 #include <vector>
-
-#include "base/large_heap.hpp"
 
 namespace penumbra {
 
@@ -28,11 +26,7 @@ class ZeroedPages {
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / (2 * sizeof(T))) throw std::bad_alloc();
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < fewest_bytes) {
-      void* const memory = std::calloc(count, sizeof(T));
-      if (!memory) throw std::bad_alloc();
-      return static_cast<T*>(memory);
-    }
+    if (bytes < fewest_bytes) return static_cast<T*>(std::memset(::operator new(bytes, alignment), 0, bytes));
     // As much as it takes to begin and end at large pages; what is never written takes no memory.
     const std::size_t size = whole_pages(bytes);
     void* const memory = mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -49,13 +43,13 @@ class ZeroedPages {
   void deallocate(T* memory, std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < fewest_bytes) {
-      std::free(memory);
+      ::operator delete(memory, alignment);
     } else {
       munmap(memory, whole_pages(bytes));
     }
   }
 
-  // What is made without a value is 0 already.
+  // What is made without a value is 0 already: only for types that begin as zeros.
   void construct(T*) {}
   template <class... Values>
   void construct(T* place, Values&&... values) {
@@ -65,8 +59,10 @@ class ZeroedPages {
   bool operator==(const ZeroedPages&) const { return true; }
 
  private:
-  // Below that, the heap's pages are large too, and are used again.
-  static constexpr std::size_t fewest_bytes = 2 * large_page;
+  static constexpr std::align_val_t alignment{alignof(T)};
+  static constexpr std::size_t large_page = std::size_t{2} << 20;  // bytes, of the kernel's large pages
+  // Below that, clearing a large page takes longer than a few small ones do.
+  static constexpr std::size_t fewest_bytes = large_page / 8;
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };
 

@@ -6,7 +6,7 @@
 #include "geometry/bvh.hpp"
 #include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
-#include "geometry/placing.hpp"
+#include "geometry/maps.hpp"
 #include "geometry/world.hpp"
 
 namespace penumbra {
@@ -19,6 +19,20 @@ constexpr float shape_cost = 1;
 constexpr float placed_cost = 2;
 constexpr float instance_cost = 8;
 constexpr float mesh_cost = 16;
+
+Placement make_placement(const Affine& m) {
+  const Affine inv = inverse(m);
+  Placement p{};
+  for (int row = 0; row < 3; row++) {
+    for (int column = 0; column < 3; column++) {
+      p.linear[3 * row + column] = static_cast<float>(m.column[column][row]);
+      p.inverse[3 * row + column] = static_cast<float>(inv.column[column][row]);
+    }
+  }
+  set3(p.translation, m.translation);
+  p.stretch = static_cast<float>(row_sum(m));
+  return p;
+}
 
 class WorldBuilder {
  public:
@@ -39,8 +53,8 @@ class WorldBuilder {
 
   // What collects the leaves of one group.
   struct GroupParts {
-    std::vector<Leaf> leaves;
-    std::vector<BvhItem> items;
+    ZeroedVector<Leaf> leaves;
+    ZeroedVector<BvhItem> items;
     std::uint32_t order = 0;
     struct Run {  // static triangles, waiting for the choice of a room
       TriangleRange range;
@@ -48,7 +62,6 @@ class WorldBuilder {
       std::uint32_t surface;
     };
     std::vector<Run> runs;
-    double placed_magnitude = 0;
   };
 
   void build_group(std::uint32_t group, const std::vector<Object>& objects) {
@@ -62,7 +75,7 @@ class WorldBuilder {
     Bounds bounds;
     for (const BvhItem& item : parts.items) {
       world_.leaves.push_back(parts.leaves[item.leaf]);
-      has_nested |= parts.leaves[item.leaf].kind >= LeafKind::mesh;
+      has_nested |= parts.leaves[item.leaf].is_nested();
       bounds = include(bounds, item.bounds);
     }
     world_.groups[group] = {root, has_nested};
@@ -76,42 +89,35 @@ class WorldBuilder {
 
   void add(GroupParts& parts, const Object& object, Vec3 group_motion) {
     const Vec3 motion = group_motion + object.motion;
-    const Affine& placement = scene_.placements[object.placement];
-    if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
-      for (const Object& member : (*group)->objects) add(parts, member, motion);
-    } else if (const auto* instance = std::get_if<Instance>(&object.shape)) {
-      world_.instance_count++;
-      add_instance(parts, instance->definition, placement, motion);
-    } else if (const auto* range = std::get_if<TriangleRange>(&object.shape)) {
-      add_triangles(parts, *range, object.surface, motion);
-    } else {
-      world_.shape_count++;
-      note_texture(object.surface);
-      Leaf leaf;
-      leaf.target = object.surface;
-      std::visit([&](const auto& shape) { place_shape(parts, leaf, shape, placement, motion); }, object.shape);
-    }
+    std::visit([&](const auto& shape) { add_shape(parts, object, shape, motion); }, object.shape);
   }
-
-  void note_texture(std::uint32_t surface) { world_.has_textures |= scene_.surfaces[surface].texture != Texture::none; }
-
-  void add_instance(GroupParts& parts, std::uint32_t definition, const Affine& placement, Vec3 motion) {
-    const Object& object = scene_.definitions[definition];
-    if (add_as_single_shape(parts, object, placement, motion)) return;
-    std::uint32_t group = group_of_definition_[definition];
+  void add_shape(GroupParts& parts, const Object&, const std::shared_ptr<const Group>& group, Vec3 motion) {
+    for (const Object& member : group->objects) add(parts, member, motion);
+  }
+  void add_shape(GroupParts& parts, const Object& object, const TriangleRange& range, Vec3 motion) {
+    add_triangles(parts, range, object.surface, motion);
+  }
+  template <AnalyticShape Shape>
+  void add_shape(GroupParts& parts, const Object& object, const Shape& shape, Vec3 motion) {
+    place_shape(parts, shape, object.surface, scene_.placements[object.placement], motion);
+  }
+  void add_shape(GroupParts& parts, const Object& object, const Instance& instance, Vec3 motion) {
+    world_.instance_count++;
+    const Affine& placement = scene_.placements[object.placement];
+    const Object& definition = scene_.definitions[instance.definition];
+    if (add_as_single_shape(parts, definition, placement, motion)) return;
+    std::uint32_t group = group_of_definition_[instance.definition];
     if (group == no_group) {
       group = static_cast<std::uint32_t>(world_.groups.size());
       world_.groups.emplace_back();
-      build_group(group, {object});
-      group_of_definition_[definition] = group;
+      build_group(group, {definition});
+      group_of_definition_[instance.definition] = group;
     }
     const Bounds inner = group_bounds_[group];
     if (is_empty(inner)) return;
-    Leaf leaf;
-    leaf.kind = LeafKind::instance;
+    Leaf leaf(LeafKind::instance);
     leaf.target = group;
     leaf.placement = add_placement(placement);
-    leaf.data[0] = static_cast<float>(row_sum(placement));
     const double reach = row_sum(placement) * group_magnitude_[group] + max_component(abs(placement.translation));
     add_leaf(parts, leaf, transform(placement, inner), motion, instance_cost, reach);
   }
@@ -119,63 +125,34 @@ class WorldBuilder {
   // An instance of one analytic shape is that shape under the product of the matrices, unless its texture needs the
   // space between the two.
   bool add_as_single_shape(GroupParts& parts, const Object& object, const Affine& placement, Vec3 motion) {
-    if (std::holds_alternative<TriangleRange>(object.shape) || std::holds_alternative<Instance>(object.shape) ||
-        std::holds_alternative<std::shared_ptr<const Group>>(object.shape)) {
-      return false;
-    }
-    if (scene_.surfaces[object.surface].texture != Texture::none) return false;
+    const auto add_if_analytic = [&]<typename Shape>(const Shape& shape) {
+      if constexpr (AnalyticShape<Shape>) {
+        if (scene_.surfaces[object.surface].texture != Texture::none) return false;
+        const Affine product = placement * scene_.placements[object.placement];
+        place_shape(parts, shape, object.surface, product, motion + transform_vector(placement, object.motion));
+        return true;
+      } else {
+        return false;
+      }
+    };
+    return std::visit(add_if_analytic, object.shape);
+  }
+
+  // A shape that the map keeps of its kind is traced as what it becomes, others behind a placement.
+  template <AnalyticShape Shape>
+  void place_shape(GroupParts& parts, const Shape& shape, std::uint32_t surface, const Affine& m, Vec3 motion) {
     world_.shape_count++;
-    Leaf leaf;
-    leaf.target = object.surface;
-    const Affine product = placement * scene_.placements[object.placement];
-    const Vec3 total_motion = motion + transform_vector(placement, object.motion);
-    std::visit([&](const auto& shape) { place_shape(parts, leaf, shape, product, total_motion); }, object.shape);
-    return true;
-  }
-
-  void place_shape(GroupParts& parts, Leaf leaf, const Sphere& s, const Affine& m, Vec3 motion) {
-    if (const auto scale = uniform_scale(m)) {
-      const Sphere moved{transform_point(m, s.center), s.radius * *scale};
-      set_sphere(leaf, moved);
-      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
-    } else {
-      set_sphere(leaf, s);
-      add_placed(parts, leaf, s, m, motion);
-    }
-  }
-  void place_shape(GroupParts& parts, Leaf leaf, const Box& b, const Affine& m, Vec3 motion) {
-    if (maps_axes_to_axes(m)) {
-      const Vec3 p = transform_point(m, b.lo);
-      const Vec3 q = transform_point(m, b.hi);
-      const Box moved{min(p, q), max(p, q)};
-      set_box(leaf, moved);
-      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
-    } else {
-      set_box(leaf, b);
-      add_placed(parts, leaf, b, m, motion);
-    }
-  }
-  void place_shape(GroupParts& parts, Leaf leaf, const Cylinder& c, const Affine& m, Vec3 motion) {
-    if (const auto scale = uniform_scale_round_y(m)) {
-      const Vec3 p = transform_point(m, {c.x, c.y_min, c.z});
-      const Vec3 q = transform_point(m, {c.x, c.y_max, c.z});
-      const Cylinder moved{c.radius * *scale, p.x, p.z, std::min(p.y, q.y), std::max(p.y, q.y), c.capped};
-      set_cylinder(leaf, moved);
-      add_leaf(parts, leaf, bounds_of(moved), motion, shape_cost);
-    } else {
-      set_cylinder(leaf, c);
-      add_placed(parts, leaf, c, m, motion);
-    }
-  }
-  template <typename Shape>
-  void place_shape(GroupParts&, Leaf, const Shape&, const Affine&, Vec3) {}  // other kinds never come here
-
-  template <typename Shape>
-  void add_placed(GroupParts& parts, Leaf leaf, const Shape& shape, const Affine& m, Vec3 motion) {
+    note_texture(surface);
+    const std::optional<Shape> moved = mapped(m, shape);
+    Leaf leaf(leaf_of(moved ? *moved : shape));
+    leaf.target = surface;
+    if (moved) return add_leaf(parts, leaf, bounds_of(*moved), motion, shape_cost);
     leaf.placement = add_placement(m);
     const double reach = row_sum(m) * magnitude(bounds_of(shape)) + max_component(abs(m.translation));
     add_leaf(parts, leaf, transformed_bounds(m, shape), motion, placed_cost, reach);
   }
+
+  void note_texture(std::uint32_t surface) { world_.has_textures |= scene_.surfaces[surface].texture != Texture::none; }
 
   std::uint32_t add_placement(const Affine& m) {
     world_.placements.push_back(make_placement(m));
@@ -188,7 +165,7 @@ class WorldBuilder {
     add_ordered_leaf(parts, leaf, bounds, motion, cost, reach);
   }
   void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
-    set3(leaf.motion, motion);
+    set3(&leaf.motion[0], motion);
     leaf.moves = motion != Vec3{};
     const Bounds over_shutter =
         include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));
@@ -258,50 +235,28 @@ class WorldBuilder {
       ranges.back().count += run.range.count;
     }
     Bounds bounds;
-    for (const TriangleRange& range : ranges) bounds = include(bounds, bounds_of(range));
+    for (const TriangleRange& range : ranges) bounds = include(bounds, bounds_of(*scene_.triangles, range));
     mesh.embree = &embree_library();
     mesh.scene = device_.build(*scene_.triangles, ranges);
-    Leaf leaf;
-    leaf.kind = LeafKind::mesh;
+    Leaf leaf(LeafKind::mesh);
     leaf.order = runs.front().order;
     leaf.target = static_cast<std::uint32_t>(world_.meshes.size());
     world_.meshes.push_back(std::move(mesh));
     add_ordered_leaf(parts, leaf, bounds, motion, mesh_cost, 0);
   }
 
-  Vec3 vertex(std::uint32_t triangle, int corner) const {
-    const float* p = scene_.triangles->vertices.data() +
-                     std::size_t{3} * scene_.triangles->indices[std::size_t{3} * triangle + corner];
-    return {p[0], p[1], p[2]};
-  }
-
-  Bounds bounds_of(TriangleRange range) const {
-    Bounds b;
-    for (std::uint32_t i = 0; i < range.count; i++) {
-      for (int corner = 0; corner < 3; corner++) b = include(b, vertex(range.first + i, corner));
-    }
-    return b;
-  }
-  static Bounds bounds_of(const Sphere& s) { return penumbra::bounds_of(s); }
-  static Bounds bounds_of(const Box& s) { return penumbra::bounds_of(s); }
-  static Bounds bounds_of(const Cylinder& s) { return penumbra::bounds_of(s); }
-
   void add_single_triangles(GroupParts& parts, const GroupParts::Run& run, Vec3 motion) {
     for (std::uint32_t i = 0; i < run.range.count; i++) {
       const std::uint32_t triangle = run.range.first + i;
-      const Vec3 a = vertex(triangle, 0);
-      const Vec3 b = vertex(triangle, 1);
-      const Vec3 c = vertex(triangle, 2);
+      const Vec3 a = corner_of(*scene_.triangles, triangle, 0);
+      const Vec3 b = corner_of(*scene_.triangles, triangle, 1);
+      const Vec3 c = corner_of(*scene_.triangles, triangle, 2);
       if (!(length(cross(b - a, c - a)) > 0)) continue;  // a triangle without area is never hit
-      Leaf leaf;
-      leaf.kind = LeafKind::triangle;
+      Leaf leaf(leaf_of_triangle(a, b, c));
       leaf.order = run.order + i;
       leaf.target = run.surface;
-      set3(leaf.data, a);
-      set3(leaf.data + 3, b);
-      set3(leaf.data + 6, c);
-      set_normal(leaf.data);
-      add_ordered_leaf(parts, leaf, bounds_of(TriangleRange{triangle, 1}), motion, shape_cost, 0);
+      const Bounds bounds = bounds_of(*scene_.triangles, {triangle, 1});
+      add_ordered_leaf(parts, leaf, bounds, motion, shape_cost, 0);
     }
   }
 

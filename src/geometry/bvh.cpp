@@ -109,7 +109,7 @@ void store_bounds(const Bounds& b, float (&out)[6]) {
 struct Builder {
   std::span<BvhItem> items;
   std::uint32_t first_leaf;
-  std::vector<Node>& nodes;
+  ZeroedVector<Node>& nodes;
 
   NodeReference build(std::size_t begin, std::size_t end, int depth) {
     const std::span<BvhItem> part = items.subspan(begin, end - begin);
@@ -165,7 +165,7 @@ struct Builder {
 
 }  // namespace
 
-NodeReference build_bvh(std::span<BvhItem> items, std::uint32_t first_leaf, std::vector<Node>& nodes) {
+NodeReference build_bvh(std::span<BvhItem> items, std::uint32_t first_leaf, ZeroedVector<Node>& nodes) {
   return Builder{items, first_leaf, nodes}.build(0, items.size(), 0);
 }
 

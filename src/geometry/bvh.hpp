@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "geometry/bounds.hpp"
 #include "geometry/world.hpp"
@@ -19,6 +18,6 @@ struct BvhItem {
 
 // Reorders `items` so that every leaf of the tree is a run of them, appends the inner nodes to `nodes`, and returns the
 // root. Runs count from `first_leaf`. The tree is never deeper than 60. Bounds are rounded outward.
-NodeReference build_bvh(std::span<BvhItem> items, std::uint32_t first_leaf, std::vector<Node>& nodes);
+NodeReference build_bvh(std::span<BvhItem> items, std::uint32_t first_leaf, ZeroedVector<Node>& nodes);
 
 }  // namespace penumbra

@@ -1,5 +1,7 @@
 #include "geometry/embree_library.hpp"
 
+#include <fmt/format.h>
+
 #include "base/shared_library.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -20,7 +22,7 @@ EmbreeLibrary load() {
 #ifdef __SANITIZE_ADDRESS__
   is_loaded = true;
 #endif
-  const SharedLibrary file("libembree3.so.3", "install the Debian package libembree3-3");
+  const SharedLibrary file(embree_file(), embree_advice());
   EmbreeLibrary e;
 #define PENUMBRA_LOAD(name) file.load(#name, e.name)
   PENUMBRA_LOAD(rtcNewDevice);
@@ -48,6 +50,9 @@ EmbreeLibrary load() {
 }
 
 }  // namespace
+
+std::string embree_file() { return fmt::format("libembree{0}.so.{0}", PENUMBRA_EMBREE); }
+std::string embree_advice() { return fmt::format("install the Debian package libembree{0}-{0}", PENUMBRA_EMBREE); }
 
 const EmbreeLibrary& embree_library() {
   static const EmbreeLibrary library = load();

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "geometry/coincident_triangles.hpp"
-#include "geometry/embree_library.hpp"
 
 namespace penumbra {
 namespace {

@@ -1,12 +1,11 @@
 // The only file pair that builds with Embree: large static triangle meshes, committed once.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "geometry/embree_library.hpp"
 #include "geometry/world.hpp"
 
 namespace penumbra {
@@ -14,7 +13,7 @@ namespace penumbra {
 // Embree's context with what is needed to settle ties: the nearest hit so far of each ray, whose id is its lane. An
 // order counts triangles in the order of the file.
 struct TieContext {
-  RTCIntersectContext context;  // first, so that Embree's pointer to it is one to all of this
+  EmbreeContext context;  // first, so that Embree's pointer to it is one to all of this
   const Mesh* mesh;
   float distance[16];
   std::uint32_t order[16];

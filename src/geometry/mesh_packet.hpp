@@ -2,10 +2,9 @@
 // the arithmetic of our own triangles, so that both rooms agree on what is equally far.
 #pragma once
 
-#include "geometry/embree_library.hpp"
 #include "geometry/embree_mesh.hpp"
 #include "geometry/rays.hpp"
-#include "geometry/triangle_kernel.hpp"
+#include "geometry/shapes/triangle.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
@@ -50,13 +49,6 @@ PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, in
   store_half(out.time, Floats(0), half);
   store_half(out.mask, Ints(0xffffffffu), half);
   store_half(out.flags, Ints(0u), half);
-}
-
-PENUMBRA_INLINE RTCIntersectContext embree_context(const Rays& rays) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (rays.coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
 }
 
 // The corners of the triangles that Embree found, relative to nothing: in the space of the mesh.
@@ -109,9 +101,9 @@ PENUMBRA_INLINE Mask find_in_mesh(const Mesh& mesh, const Rays& rays, Floats far
     store_half(query.ray.id, lane_numbers(), 0);
     alignas(64) std::uint32_t valid[vector_lanes];
     store_half(valid, active_bits, half);
-    TieContext tie{embree_context(rays), &mesh, {}, {}};
+    TieContext tie{{}, &mesh, {}, {}};
     store_half(tie.distance, Floats(-1), half);
-    (mesh.embree->*embree_intersect)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &tie.context, &query);
+    ask_embree(mesh.embree->*embree_intersect, valid, mesh.scene.get(), tie.context, rays.coherent, query);
     __builtin_memcpy(hits.geometry + first, query.hit.geomID, sizeof valid);
     __builtin_memcpy(hits.primitive + first, query.hit.primID, sizeof valid);
     __builtin_memcpy(hits.distance + first, query.ray.tfar, sizeof valid);
@@ -169,8 +161,8 @@ inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays
     fill(query, rays, farthest, half);
     alignas(64) std::uint32_t valid[vector_lanes];
     store_half(valid, active_bits, half);
-    RTCIntersectContext context = embree_context(rays);
-    (mesh.embree->*embree_occluded)(reinterpret_cast<const int*>(valid), mesh.scene.get(), &context, &query);
+    EmbreeContext context;
+    ask_embree(mesh.embree->*embree_occluded, valid, mesh.scene.get(), context, rays.coherent, query);
     __builtin_memcpy(distance + first, query.tfar, sizeof valid);
   }
   return active & (load(distance) < Floats(0));

@@ -10,7 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "base/zeroed_pages.hpp"
+#include "geometry/leaf.hpp"
 
 struct RTCSceneTy;
 
@@ -18,29 +19,12 @@ namespace penumbra {
 
 struct EmbreeLibrary;
 
-enum class LeafKind : std::uint8_t { sphere, box, cylinder, hollow_cylinder, triangle, mesh, instance };
-
-inline constexpr std::uint32_t no_placement = 0xffffffffu;
-
-// One shape of a group, in the space of the group (or of its placement, where it has one).
-struct Leaf {
-  LeafKind kind = LeafKind::sphere;
-  bool moves = false;        // `motion` is not zero
-  std::uint32_t order = 0;   // at equal distance the lower one wins
-  std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
-  std::uint32_t placement = no_placement;
-  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
-  float magnitude = 0;          // largest coordinate, in absolute value, on the way to a hit point
-  // sphere: centre, radius · box: lo, hi · cylinders: x, z, radius, y_min, y_max
-  // triangle: three corners, unit normal along (B-A)x(C-A) · instance: largest row sum of |M_ij|
-  float data[12] = {};
-};
-
 // group = linear * local + translation, and back: local = inverse * (group - translation). Matrices row by row.
 struct Placement {
   float linear[9];
   float inverse[9];
   float translation[3];
+  float stretch;  // how much `linear` can enlarge a coordinate: the largest sum of absolute values in a row
 };
 
 // A node's child: an inner node (its index), or a run of leaves: top bit set, then 5 bits of count, 26 bits of first.
@@ -80,8 +64,8 @@ struct Mesh {
 };
 
 struct World {
-  std::vector<Node> nodes;
-  std::vector<Leaf> leaves;
+  ZeroedVector<Node> nodes;
+  ZeroedVector<Leaf> leaves;
   std::vector<Placement> placements;
   std::vector<WorldGroup> groups;  // [0] is the whole scene
   std::vector<Mesh> meshes;

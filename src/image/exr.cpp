@@ -17,7 +17,7 @@ namespace {
 const ExrModule& exr_module() {
   static const ExrModule* const module = [] {
     try {
-      const SharedLibrary file("libpenumbra_exr.so", "it belongs beside the program, and needs libopenexr-3-1-30");
+      const SharedLibrary file("libpenumbra_exr.so", "it belongs beside the program, and needs OpenEXR");
       decltype(&penumbra_exr_module) get = nullptr;
       file.load("penumbra_exr_module", get);
       return get();
@@ -43,11 +43,12 @@ void require_agreement(const ImageFile& file) {
 
 std::vector<std::byte> encode_exr(const ImageFile& file) {
   require_agreement(file);
-  std::vector<std::byte> bytes;
-  if (const auto trouble = exr_module().encode(file, bytes)) {
-    throw FileError(EX_SOFTWARE, fmt::format("cannot make an EXR: {}", *trouble));
+  const ExrModule& module = exr_module();
+  try {
+    return module.encode(file);
+  } catch (const std::exception& error) {
+    throw FileError(EX_SOFTWARE, fmt::format("cannot make an EXR: {}", error.what()));
   }
-  return bytes;
 }
 
 bool is_exr(std::span<const std::byte> bytes) {
@@ -56,11 +57,12 @@ bool is_exr(std::span<const std::byte> bytes) {
 }
 
 ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name) {
-  ImageFile file;
-  if (const auto trouble = exr_module().decode(bytes, name, file)) {
-    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, *trouble));
+  const ExrModule& module = exr_module();
+  try {
+    return module.decode(bytes, name);
+  } catch (const std::exception& error) {
+    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what()));
   }
-  return file;
 }
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// The surfaces: each replaces the current one, and its texture.
+// The surface commands: each replaces the current surface, texture included. Texture commands only add to it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,7 +36,8 @@ void add_open_specular(const Reading& reading, Surface& surface, const Call& cal
   surface.open_highlight = true;
 }
 
-// An index of refraction of 0 is fine where nothing is refracted: `k_trans` is argument `transmission`, the index follows.
+// An index of refraction of 0 is fine where nothing is refracted: `k_trans` is argument `transmission`, the index
+// follows.
 bool has_index(Reading& reading, const Call& call, int transmission) {
   if (call[transmission] == 0 || call[transmission + 1] > 0) return true;
   reading.diagnostics.error(call.place_of_argument(transmission + 1),

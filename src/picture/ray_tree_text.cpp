@@ -11,17 +11,9 @@ std::string words(const Numbers& v) {
 }
 
 std::string name_of(const RecordedRay& ray) {
-  switch (ray.kind) {
-    case RayKind::eye:
-      return "eye ray";
-    case RayKind::reflection:
-      return "reflection ray";
-    case RayKind::transmission:
-      return "transmission ray";
-    case RayKind::shadow:
-      return fmt::format("shadow ray to light {}", ray.light + 1);
-  }
-  return {};
+  if (ray.kind == RayKind::eye) return "eye ray";
+  const std::string name = fmt::format("{} ray", ray_kind_names[static_cast<std::size_t>(ray.kind)]);
+  return ray.kind == RayKind::shadow ? fmt::format("{} to light {}", name, ray.light + 1) : name;
 }
 
 std::string hit_of(const RecordedRay& ray) {

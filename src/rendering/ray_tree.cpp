@@ -22,9 +22,9 @@ struct Keeper {
 }  // namespace
 
 RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
-                     std::size_t most_rays) {
+                     std::size_t most) {
   RayTree tree;
-  Keeper keeper{tree, most_rays};
+  Keeper keeper{tree, most};
   kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add});
   return tree;
 }
@@ -37,20 +37,26 @@ std::array<float, 3> sum_of(const RayTree& tree, std::size_t number) {
       sum[c] = ray.came_back[c];
       continue;
     }
-    float direct = 0, reflected = 0, transmitted = 0;
-    const RecordedRay* reflection = nullptr;
-    const RecordedRay* transmission = nullptr;
+    float direct = 0;
+    std::array<float, ray_kind_count> seen{};
+    std::array<const RecordedRay*, ray_kind_count> of_kind{};
     for (std::size_t i = number + 1; i < tree.rays.size(); i++) {
       const RecordedRay& below = tree.rays[i];
       if (below.parent != static_cast<int>(number)) continue;
-      if (below.kind == RayKind::shadow) direct += below.adds[c];
-      if (below.kind == RayKind::reflection) reflected += below.came_back[c], reflection = &below;
-      if (below.kind == RayKind::transmission) transmitted += below.came_back[c], transmission = &below;
+      if (below.kind == RayKind::shadow) {
+        direct += below.adds[c];
+      } else {
+        const auto kind = static_cast<std::size_t>(below.kind);
+        seen[kind] += below.came_back[c];
+        of_kind[kind] = &below;
+      }
     }
-    const auto mean = [c](float total, const RecordedRay* of) {
-      return of ? total * (1.0f / static_cast<float>(of->count)) * of->factor[c] : 0.0f;
-    };
-    sum[c] = (ray.ambient[c] + direct) + (mean(reflected, reflection) + mean(transmitted, transmission));
+    float indirect = 0;
+    for (std::size_t kind = 0; kind < ray_kind_count; kind++) {
+      const RecordedRay* of = of_kind[kind];
+      if (of) indirect += seen[kind] * (1.0f / static_cast<float>(of->count)) * of->factor[c];
+    }
+    sum[c] = (ray.ambient[c] + direct) + indirect;
   }
   return sum;
 }

@@ -16,7 +16,7 @@ struct RayTree {
 
 // Traces sample `sample` of pixel (x, y), for a picture of `count` samples a pixel, as render_samples does.
 RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
-                     std::size_t most_rays = std::size_t{1} << 16);
+                     std::size_t most = std::size_t{1} << 16);
 
 // The colour of a ray put together again from the rays below it, in the order of tracing/trace.hpp: equal to its
 // `came_back` to the last bit, unless rays were left out.

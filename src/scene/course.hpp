@@ -20,11 +20,11 @@ struct CourseYear {
 };
 
 inline constexpr std::array<CourseYear, 6> course_years = {{{"", Highlight::blinn, 8},
-                                                           {"", Highlight::blinn, 8},
-                                                           {"2015", Highlight::phong, 5},
-                                                           {"2017", Highlight::blinn, 20},
-                                                           {"2018", Highlight::blinn, 9},
-                                                           {"2022", Highlight::blinn, 8}}};
+                                                            {"", Highlight::blinn, 8},
+                                                            {"2015", Highlight::phong, 5},
+                                                            {"2017", Highlight::blinn, 20},
+                                                            {"2018", Highlight::blinn, 9},
+                                                            {"2022", Highlight::blinn, 8}}};
 
 constexpr const CourseYear& year_of(Course course) { return course_years[static_cast<std::size_t>(course)]; }
 

@@ -1,19 +1,15 @@
-// Keeps a record of all rays of one lane, for whoever asks what a pixel saw. Only recording.cpp has a recorder; in the
-// kernels that render pictures there is no trace of it. What is recorded is what was computed for the picture, to the
-// last bit; only what a shadow ray ran into is looked up once more.
+// Keeps a record of all rays of one lane, for whoever asks what a pixel saw. Only recording.cpp is compiled with it; in
+// the kernels that render pictures, Recorder is an empty type whose calls do nothing. What is recorded is what was
+// computed for the picture, to the last bit; only what a shadow ray ran into is looked up once more.
 #pragma once
 
 #include "geometry/traversal.hpp"
 #include "tracing/frame.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/recorded_ray.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
 #ifdef PENUMBRA_RECORDS
-inline constexpr bool records = true;
-#else
-inline constexpr bool records = false;
-#endif
 
 PENUMBRA_INLINE float lane_of(Floats values, int lane) {
   alignas(64) float all[lane_count];
@@ -127,5 +123,19 @@ class RayRecorder {
   RecordedRay* last_shadow_ = nullptr;
   Open open_[most_depth + 1];
 };
+using Recorder = RayRecorder&;
+
+#else
+
+struct Recorder {
+  void announce(const auto&...) const {}
+  void begin(const auto&...) const {}
+  void surface(const auto&...) const {}
+  void end(const auto&...) const {}
+  void shadow(const auto&...) const {}
+  void lit(const auto&...) const {}
+};
+
+#endif
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -10,9 +10,9 @@
 #include "geometry/traversal.hpp"
 #include "sampling/sampler.hpp"
 #include "tracing/frame.hpp"
-#include "tracing/kernel.hpp"
 #include "tracing/light.hpp"
 #include "tracing/material.hpp"
+#include "tracing/ray_kind.hpp"
 #include "tracing/record.hpp"
 #include "tracing/spread.hpp"
 
@@ -34,7 +34,7 @@ struct TraceContext {
   const Frame& frame;
   const Sampler& sampler;
   RayCounts& counts;
-  RayRecorder* recorder = nullptr;
+  [[no_unique_address]] Recorder recorder;
 };
 
 // The place of a ray in its tree, as a hash; the eye ray's is the root.
@@ -73,7 +73,7 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
 inline Floats visibility(const TraceContext& c, const Rays& to_light, Floats distance, Mask active) {
   const World& world = c.frame.world;
-  c.counts.shadow += static_cast<std::uint64_t>(count(active));
+  c.counts[RayKind::shadow] += static_cast<std::uint64_t>(count(active));
   if (!c.frame.settings.transparent_shadows) {
     return keep(active & ~occluded(world, to_light, distance, active), Floats(1));
   }
@@ -141,16 +141,13 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       lit &= (normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero;
     }
     Floats visible = Floats(1);
+    shadow.direction = sample.toward;
     if (settings.shadows && any(lit)) {
-      shadow.direction = sample.toward;
-      shadow.coherent = light.kind != LightKind::disk && place == tree_root;
+      shadow.coherent = !light.has_area && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
-      if constexpr (records) c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
-      lit &= visible > zero;
-    } else if constexpr (records) {
-      shadow.direction = sample.toward;
-      c.recorder->shadow(number, shadow, sample.distance, lit, visible, depth);
     }
+    c.recorder.shadow(number, shadow, sample.distance, lit, visible, depth);
+    lit &= visible > zero;
     if (none(lit)) return Float3{zero, zero, zero};
     Float3 reflected = material.diffuse * cosine;
     if (material.any_specular) {
@@ -161,13 +158,13 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   };
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
-    const bool has_area = c.frame.lights[number].kind == LightKind::disk;
+    const bool has_area = c.frame.lights[number].has_area;
     const std::uint32_t points = has_area ? rays_of_hit(settings.shadow_rays, place) : 1;
     for (std::uint32_t k = 0; k < points; k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
       const Float3 light_of_point = from_point(number, random);
       const Float3 brought = points == 1 ? light_of_point : light_of_point * Floats(1.0f / static_cast<float>(points));
-      if constexpr (records) c.recorder->lit(brought);
+      c.recorder.lit(brought);
       sum += brought;
     }
   }
@@ -177,33 +174,38 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
 Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int depth, TreePlace place, FirstHits* first);
 
 // How the reflected or the transmitted rays leave a surface.
-struct Spreading {
-  Float3 direction;  // unit: of the mirror or of Snell's law
-  bool spread;       // whether any lane has a radius above zero
+struct Lobe {
+  RayKind kind;
+  Floats factor;        // what their mean is worth
+  std::uint32_t count;  // of rays
+  Float3 direction;     // unit: of the mirror or of Snell's law
+  bool spread;          // whether any lane has a radius above zero
   Floats radius;
   Float3 side;  // the normal of the side they leave to
   TreeStep random_step, ray_step;
 };
 
-// What `count` rays see in the mean that leave the surface like this.
-inline Float3 trace_spread(const TraceContext& c, const Rays& rays, const Hits& hits, const Spreading& how, Mask active,
-                           std::uint32_t count, int depth, TreePlace place) {
+// What the rays of a lobe bring.
+inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, const Lobe& lobe, Mask active,
+                         int depth, TreePlace place) {
+  c.recorder.announce(lobe.kind, lobe.factor, lobe.count, depth);
+  c.counts[lobe.kind] += lobe.count * static_cast<std::uint64_t>(count(active));
   Rays next;
   next.time = rays.time;
-  next.origin = hits.point + how.side * (hits.magnitude * Floats(surface_offset));
+  next.origin = hits.point + lobe.side * (hits.magnitude * Floats(surface_offset));
   next.nearest = hits.magnitude * Floats(blind_distance);
-  next.direction = how.direction;
-  const TreePlace next_place = step(place, how.ray_step);
+  next.direction = lobe.direction;
+  const TreePlace next_place = step(place, lobe.ray_step);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
-  for (std::uint32_t k = 0; k < count; k++) {
-    if (how.spread) {
-      const Sampler sampler = count == 1 ? c.sampler : c.sampler.among(k, count);
-      next.direction = spread(how.direction, how.radius, how.side, sampler, step(place, how.random_step));
+  for (std::uint32_t k = 0; k < lobe.count; k++) {
+    if (lobe.spread) {
+      const Sampler sampler = lobe.count == 1 ? c.sampler : c.sampler.among(k, lobe.count);
+      next.direction = spread(lobe.direction, lobe.radius, lobe.side, sampler, step(place, lobe.random_step));
     }
-    const Sampler sampler = count == 1 ? c.sampler : c.sampler.descending(k, count);
+    const Sampler sampler = lobe.count == 1 ? c.sampler : c.sampler.descending(k, lobe.count);
     sum += trace({c.frame, sampler, c.counts, c.recorder}, next, active, depth + 1, next_place, nullptr);
   }
-  return sum * Floats(1.0f / static_cast<float>(count));
+  return keep(active, sum * Floats(1.0f / static_cast<float>(lobe.count)) * lobe.factor);
 }
 
 // What the reflected and the transmitted rays bring.
@@ -225,20 +227,17 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   const Mask reflects = hits.found & (reflection != zero);
   if (any(reflects)) {
     const Float3 mirror = normalize(reflect(rays.direction, facing));
-    const Spreading spreading{mirror, material.any_gloss, material.gloss_radius, facing, step_gloss, step_reflection};
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
-    if constexpr (records) c.recorder->announce(RayKind::reflection, reflection, count, depth);
-    sum += keep(reflects, trace_spread(c, rays, hits, spreading, reflects, count, depth, place) * reflection);
-    c.counts.reflection += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(reflects));
+    const Lobe lobe{RayKind::reflection,   reflection, count,      mirror,         material.any_gloss,
+                    material.gloss_radius, facing,     step_gloss, step_reflection};
+    sum += trace_lobe(c, rays, hits, lobe, reflects, depth, place);
   }
   if (any(transmits)) {
-    const Spreading spreading{refracted, material.any_blur, material.blur_radius,
-                              -facing,   step_blur,         step_transmission};
     const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
-    if constexpr (records) c.recorder->announce(RayKind::transmission, material.transmission, count, depth);
-    sum +=
-        keep(transmits, trace_spread(c, rays, hits, spreading, transmits, count, depth, place) * material.transmission);
-    c.counts.transmission += count * static_cast<std::uint64_t>(penumbra::PENUMBRA_KERNEL::count(transmits));
+    const Lobe lobe{RayKind::transmission, material.transmission, count,   refracted,
+                    material.any_blur,     material.blur_radius,  -facing, step_blur,
+                    step_transmission};
+    sum += trace_lobe(c, rays, hits, lobe, transmits, depth, place);
   }
   return sum;
 }
@@ -249,9 +248,9 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   const Hits hits = intersect(c.frame.world, rays, Floats(__builtin_inff()), active);
   Float3 color = keep(active & ~hits.found, broadcast3(c.frame.background));
   if (first) first->found = hits.found;
-  if constexpr (records) c.recorder->begin(rays, hits, active, depth);
+  c.recorder.begin(rays, hits, active, depth);
   if (none(hits.found)) {
-    if constexpr (records) c.recorder->end(color, depth);
+    c.recorder.end(color, depth);
     return color;
   }
 
@@ -267,13 +266,13 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
     first->normal = normals.shading;
     first->albedo = material.diffuse;
   }
-  if constexpr (records) c.recorder->surface(material.ambient, normals.shading, depth);
+  c.recorder.surface(material.ambient, normals.shading, depth);
   Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, depth, place);
   if (material.any_reflection && depth < c.frame.settings.max_depth) {
     reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
   }
   color += keep(hits.found, reflected);
-  if constexpr (records) c.recorder->end(color, depth);
+  c.recorder.end(color, depth);
   return color;
 }
 

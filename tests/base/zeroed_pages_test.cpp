@@ -9,8 +9,8 @@ namespace penumbra {
 namespace {
 
 TEST(ZeroedPages, BeginAsZeros) {
-  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, std::size_t{1} << 18, (std::size_t{4} << 20) - 1,
-                                 std::size_t{4} << 20, (std::size_t{4} << 20) + 1, std::size_t{5'000'003}}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, (std::size_t{1} << 18) - 1, std::size_t{1} << 18,
+                                 (std::size_t{1} << 18) + 1, std::size_t{4} << 20, std::size_t{5'000'003}}) {
     for (int turn = 0; turn < 3; turn++) {
       ZeroedVector<std::uint8_t> bytes(size);
       EXPECT_EQ(std::count(bytes.begin(), bytes.end(), 0), static_cast<std::ptrdiff_t>(size));
@@ -29,6 +29,16 @@ TEST(ZeroedPages, AreCopiedAndMoved) {
   EXPECT_EQ(moved.data(), place);
   EXPECT_TRUE(copy == moved);
   EXPECT_EQ(copy[7] + copy.back(), 15);
+}
+
+TEST(ZeroedPages, KeepTheAlignmentOfTheirType) {
+  struct alignas(64) Line {
+    char bytes[64];
+  };
+  for (const std::size_t size : {std::size_t{1}, std::size_t{3}, std::size_t{100}, std::size_t{100'000}}) {
+    const ZeroedVector<Line> lines(size);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(lines.data()) % 64, 0u) << size << " lines";
+  }
 }
 
 TEST(ZeroedPages, TooManyAreRefused) {

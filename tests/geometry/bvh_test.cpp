@@ -18,7 +18,7 @@ constexpr int deepest = 60;
 
 struct Walk {
   const std::vector<BvhItem>& items;
-  const std::vector<Node>& nodes;
+  const ZeroedVector<Node>& nodes;
   std::vector<int> seen;
   int depth = 0;
 
@@ -50,7 +50,7 @@ struct Walk {
 int checked_depth(std::vector<BvhItem> items) {
   for (std::size_t i = 0; i < items.size(); i++) items[i].leaf = static_cast<std::uint32_t>(i);
   const std::vector<BvhItem> before = items;
-  std::vector<Node> nodes(3);  // of another group
+  ZeroedVector<Node> nodes(3);  // of another group
   const NodeReference root = build_bvh(items, first_leaf, nodes);
   Walk walk{items, nodes, std::vector<int>(items.size()), 0};
   walk.visit(root, 0);

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "probes/lane_probes.hpp"
 #include "rendering/isa.hpp"
-#include "tracing/kernel.hpp"
 
 namespace penumbra::test {
 
@@ -17,7 +17,7 @@ inline std::vector<ProbeHit> hits_of(const Kernel& kernel, const World& world, c
 
 inline std::vector<char> blocked_of(const Kernel& kernel, const World& world, const std::vector<ProbeRay>& rays) {
   const std::unique_ptr<bool[]> blocked(new bool[rays.size()]);
-  kernel.occluded(world, rays, {blocked.get(), rays.size()});
+  probes_of(kernel).occluded(world, rays, {blocked.get(), rays.size()});
   return {blocked.get(), blocked.get() + rays.size()};
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "scene/scene.hpp"
-#include "tracing/kernel.hpp"
+#include "tracing/probe.hpp"
 
 namespace penumbra::test {
 

@@ -139,21 +139,24 @@ TEST(Triangles, ignoreTextureCoordinates) {
 }
 
 TEST(Course, movesOnlyTheCentreOfASphere) {
-  const Scene scene = scene_of(light + "translate 1 0 0\nrotatez 90\nscale 3 3 3\nsphere 2 1 0 0\n", {.course = Course::any_year});
+  const Scene scene =
+      scene_of(light + "translate 1 0 0\nrotatez 90\nscale 3 3 3\nsphere 2 1 0 0\n", {.course = Course::any_year});
   EXPECT_EQ(shape_of<Sphere>(scene.root.objects[0]).radius, 2);
   expect_near(shape_of<Sphere>(scene.root.objects[0]).center, {1, 3, 0});
   EXPECT_EQ(scene.root.objects[0].placement, 0u);
 }
 
 TEST(Course, movesBothCentresOfAMovingSphere) {
-  const Scene scene = scene_of(light + "translate 5 0 0\nscale 2 2 2\nmoving_sphere 1 1 0 0 1 3 0\n", {.course = Course::any_year});
+  const Scene scene =
+      scene_of(light + "translate 5 0 0\nscale 2 2 2\nmoving_sphere 1 1 0 0 1 3 0\n", {.course = Course::any_year});
   EXPECT_EQ(shape_of<Sphere>(scene.root.objects[0]).center, (Vec3{7, 0, 0}));
   EXPECT_EQ(shape_of<Sphere>(scene.root.objects[0]).radius, 1);
   EXPECT_EQ(scene.root.objects[0].motion, (Vec3{0, 6, 0}));
 }
 
 TEST(Course, movesTheTwoCornersOfABoxAndSortsThem) {
-  const Scene scene = scene_of(light + "translate 0 0 -5\nrotatez 180\nbox 1 1 0 2 3 1\n", {.course = Course::any_year});
+  const Scene scene =
+      scene_of(light + "translate 0 0 -5\nrotatez 180\nbox 1 1 0 2 3 1\n", {.course = Course::any_year});
   const auto& box = shape_of<Box>(scene.root.objects[0]);
   expect_near(box.lo, {-2, -3, -5});
   expect_near(box.hi, {-1, -1, -4});

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/test_scale.hpp"
+#include "probes/lane_probes.hpp"
 #include "rendering/isa.hpp"
 
 namespace penumbra::test {
@@ -17,7 +18,7 @@ namespace {
 std::vector<float> values(const Kernel& kernel, LaneFunction function, const std::vector<float>& a,
                           const std::vector<float>& b, const std::vector<float>& c) {
   std::vector<float> out(a.size());
-  kernel.evaluate(function, a, b, c, out);
+  probes_of(kernel).evaluate(function, a, b, c, out);
   return out;
 }
 

@@ -6,11 +6,18 @@
 #include <numeric>
 
 #include "base/test_scale.hpp"
-#include "sampling/lane_permutation.hpp"
+#include "probes/lane_probes.hpp"
+#include "rendering/isa.hpp"
 #include "sampling/statistics.hpp"
 
 namespace penumbra::test {
 namespace {
+
+std::vector<std::uint32_t> permuted(std::vector<std::uint32_t> index, std::uint32_t length,
+                                    const std::vector<std::uint32_t>& key) {
+  probes_of(*usable_kernels().back()).permute(index, length, key);
+  return index;
+}
 
 std::vector<std::uint32_t> whole(std::uint32_t length, std::uint32_t key) {
   std::vector<std::uint32_t> index(length);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/test_scale.hpp"
+#include "probes/lane_probes.hpp"
 #include "rendering/isa.hpp"
 #include "sampling/statistics.hpp"
 
@@ -33,10 +34,10 @@ double turns(double y, double x) {
 
 TEST(Warps, DiskIsUniform) {
   const std::vector<float> u = random_numbers(1), v = random_numbers(2), w(u.size());
-  const Kernel& kernel = *usable_kernels().back();
+  const LaneProbes& probes = probes_of(*usable_kernels().back());
   std::vector<float> x(u.size()), y(u.size());
-  kernel.evaluate(LaneFunction::disk_x, u, v, w, x);
-  kernel.evaluate(LaneFunction::disk_y, u, v, w, y);
+  probes.evaluate(LaneFunction::disk_x, u, v, w, x);
+  probes.evaluate(LaneFunction::disk_y, u, v, w, y);
   std::vector<int> counts(16 * 16), squares(32 * 32);
   int inside_square = 0;
   for (std::size_t i = 0; i < u.size(); i++) {
@@ -59,11 +60,11 @@ TEST(Warps, DiskIsUniform) {
 
 TEST(Warps, BallIsUniform) {
   const std::vector<float> u = random_numbers(3), v = random_numbers(4), w = random_numbers(5);
-  const Kernel& kernel = *usable_kernels().back();
+  const LaneProbes& probes = probes_of(*usable_kernels().back());
   std::vector<float> x(u.size()), y(u.size()), z(u.size());
-  kernel.evaluate(LaneFunction::ball_x, u, v, w, x);
-  kernel.evaluate(LaneFunction::ball_y, u, v, w, y);
-  kernel.evaluate(LaneFunction::ball_z, u, v, w, z);
+  probes.evaluate(LaneFunction::ball_x, u, v, w, x);
+  probes.evaluate(LaneFunction::ball_y, u, v, w, y);
+  probes.evaluate(LaneFunction::ball_z, u, v, w, z);
   std::vector<int> counts(8 * 8 * 8), cubes(10 * 10 * 10);
   for (std::size_t i = 0; i < u.size(); i++) {
     const double r = std::sqrt(double{x[i]} * x[i] + double{y[i]} * y[i] + double{z[i]} * z[i]);

@@ -13,7 +13,8 @@ namespace {
 Vec3 ray_direction(double i, double j, int width, int height, double fov, Course course = Course::off) {
   const double k = std::tan(fov * std::numbers::pi / 360);
   if (course == Course::year_2015) {
-    return normalize({(i - (width - 1) / 2.0) * 2 * k / (width - 1), ((height - 1) / 2.0 - j) * 2 * k / (height - 1), -1});
+    return normalize(
+        {(i - (width - 1) / 2.0) * 2 * k / (width - 1), ((height - 1) / 2.0 - j) * 2 * k / (height - 1), -1});
   }
   const int shorter = std::min(width, height);
   return normalize({(i - width / 2.0) * 2 * k / shorter, (height / 2.0 - j) * 2 * k / shorter, -1});

@@ -85,7 +85,7 @@ Profile measured_profile(const std::string& text, LensModel model, int rows = ed
   RenderSettings settings;
   settings.pattern = Pattern::random;
   settings.lens_model = model;
-  settings.crop = Crop{0, (height - rows) / 2, width, (height + rows) / 2};
+  settings.crop = PixelRect{0, (height - rows) / 2, width, (height + rows) / 2};
   const Picture3 picture = render_text(text, settings);
   Profile profile;
   profile.samples = rows * edge_rays;
@@ -297,7 +297,7 @@ TEST(ConeLens, CountsItsSamples) {
   settings.lens_model = LensModel::cone;
   const RayCounts rays =
       render_text("image_size 20 10\nrays_per_pixel 5\ncamera_lens 1 2 5\nsphere 1 0 0 -4\n", settings).rays;
-  EXPECT_EQ(rays.camera, 1000u);
+  EXPECT_EQ(rays[RayKind::eye], 1000u);
   EXPECT_EQ(rays.total(), 1000u);
 }
 

@@ -25,19 +25,19 @@ box -9 -9 5 9 9 6
 
 TEST(RaysOfAHit, AreCounted) {
   const RayCounts one = render_text(two_mirrors).rays;
-  EXPECT_EQ(one.camera, 3u);
-  EXPECT_EQ(one.reflection, 3u + 3u);
-  EXPECT_EQ(one.shadow, 3u * 3u * 2u);
+  EXPECT_EQ(one[RayKind::eye], 3u);
+  EXPECT_EQ(one[RayKind::reflection], 3u + 3u);
+  EXPECT_EQ(one[RayKind::shadow], 3u * 3u * 2u);
   const RayCounts ten = render_text("reflection_rays 10\n" + two_mirrors).rays;
-  EXPECT_EQ(ten.reflection, 3u * 10u + 3u * 10u) << "each of the ten sends one on";
-  EXPECT_EQ(ten.shadow, 3u * 2u * (1u + 10u + 10u));
+  EXPECT_EQ(ten[RayKind::reflection], 3u * 10u + 3u * 10u) << "each of the ten sends one on";
+  EXPECT_EQ(ten[RayKind::shadow], 3u * 2u * (1u + 10u + 10u));
   const RayCounts shadows = render_text("shadow_rays 7\n" + two_mirrors).rays;
-  EXPECT_EQ(shadows.shadow, 3u * (7u + 1u) + 2u * 3u * 2u) << "to the disk only, and from the first hit only";
+  EXPECT_EQ(shadows[RayKind::shadow], 3u * (7u + 1u) + 2u * 3u * 2u) << "to the disk only, and from the first hit only";
   const std::string sheet = look({0, 0, 0}, {0, 0, -1}) + R"(rays_per_pixel 3
 translucent 1 1 1 0 0 0 1 0 0 0.5 1 0.1
 box -9 -9 -6 9 9 -5
 )";
-  EXPECT_EQ(render_text("transmission_rays 5\n" + sheet).rays.transmission, 3u * 5u + 3u * 5u);
+  EXPECT_EQ(render_text("transmission_rays 5\n" + sheet).rays[RayKind::transmission], 3u * 5u + 3u * 5u);
 }
 
 // A blurred mirror and a blurred sheet in an environment of smoothly varying colour, and a half-covered disk light.
@@ -67,7 +67,7 @@ Estimate estimate(const std::string& scene, RenderSettings settings, int rays, i
   double sum = 0, squares = 0;
   Scene read = scene_from(scene + rays_of_hit(rays), settings);
   for (int seed = 0; seed < seeds; seed++) {
-    read.seed = static_cast<std::uint32_t>(seed);
+    read.settings.seed = static_cast<std::uint32_t>(seed);
     const double value = render_scene(read, settings).at(0, 0).x;
     sum += value;
     squares += value * value;

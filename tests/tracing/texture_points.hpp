@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "probes/lane_probes.hpp"
 #include "tracing/one_ray.hpp"
 
 namespace penumbra::test {
@@ -29,7 +30,7 @@ struct Points {
 inline std::vector<float> values(LaneFunction function, const Points& p,
                                  const Kernel& kernel = *usable_kernels().back()) {
   std::vector<float> out(p.size());
-  kernel.evaluate(function, p.x, p.y, p.z, out);
+  probes_of(kernel).evaluate(function, p.x, p.y, p.z, out);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <sysexits.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "app/check/lens_table.hpp"
@@ -14,29 +15,24 @@ namespace {
 
 // What the groups and definitions of a scene hold, each counted once however often it is placed.
 struct Counts {
-  std::uint64_t spheres = 0, boxes = 0, cylinders = 0, triangles = 0, groups = 0, instances = 0, moving = 0;
-};
-
-void count_objects(const std::vector<Object>& objects, Counts& counts);
-
-// Counts one shape of any kind.
-struct CountShape {
-  Counts& counts;
-  void operator()(const Sphere&) const { counts.spheres++; }
-  void operator()(const Box&) const { counts.boxes++; }
-  void operator()(const Cylinder&) const { counts.cylinders++; }
-  void operator()(const TriangleRange& range) const { counts.triangles += range.count; }
-  void operator()(const Instance&) const { counts.instances++; }
-  void operator()(const std::shared_ptr<const Group>& group) const {
-    counts.groups++;
-    count_objects(group->objects, counts);
-  }
+  struct Kind {
+    std::uint64_t count = 0;
+    KindName name;
+  };
+  std::array<Kind, std::variant_size_v<Shape>> kinds;  // in the order of Shape
+  std::uint64_t moving = 0;
 };
 
 void count_objects(const std::vector<Object>& objects, Counts& counts) {
   for (const Object& object : objects) {
-    std::visit(CountShape{counts}, object.shape);
+    const auto* triangles = std::get_if<TriangleRange>(&object.shape);
+    Counts::Kind& kind = counts.kinds[object.shape.index()];
+    kind.count += triangles != nullptr ? triangles->count : 1;
+    kind.name = name_of(object.shape);
     if (object.motion != Vec3{}) counts.moving++;
+    if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
+      count_objects((*group)->objects, counts);
+    }
   }
 }
 
@@ -56,15 +52,16 @@ void add_count(std::vector<std::string>& parts, std::uint64_t count, std::string
 std::string triple(Vec3 v) { return fmt::format("{:g} {:g} {:g}", v.x + 0.0, v.y + 0.0, v.z + 0.0); }
 
 std::string describe_lights(const Scene& scene) {
-  const auto count = [&]<class Kind>(Kind) {
-    return static_cast<std::uint64_t>(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-      return std::holds_alternative<Kind>(light);
-    }));
-  };
+  std::array<std::uint64_t, std::variant_size_v<Light>> counts{};
+  std::array<std::string_view, std::variant_size_v<Light>> names;
+  for (const Light& light : scene.lights) {
+    counts[light.index()]++;
+    names[light.index()] = std::visit([](const auto& l) { return l.name; }, light);
+  }
   std::vector<std::string> parts;
-  add_count(parts, count(PointLight{}), "point light", "point lights");
-  add_count(parts, count(DiskLight{}), "disk light", "disk lights");
-  add_count(parts, count(SpotLight{}), "spotlight", "spotlights");
+  for (std::size_t kind = 0; kind < counts.size(); kind++) {
+    add_count(parts, counts[kind], names[kind], fmt::format("{}s", names[kind]));
+  }
   return listed(parts);
 }
 
@@ -80,13 +77,13 @@ std::string describe_camera(const Camera& camera) {
 
 std::string describe_objects(const Scene& scene, const Counts& counts) {
   std::vector<std::string> parts;
-  add_count(parts, counts.spheres, "sphere", "spheres");
-  add_count(parts, counts.boxes, "box", "boxes");
-  add_count(parts, counts.cylinders, "cylinder", "cylinders");
-  add_count(parts, counts.triangles, "triangle", "triangles");
-  add_count(parts, counts.groups, "group", "groups");
-  add_count(parts, scene.definitions.size(), "named object", "named objects");
-  add_count(parts, counts.instances, "instance", "instances");
+  for (const Counts::Kind& kind : counts.kinds) {
+    // What has a name stands before its instances, which are the last kind.
+    if (&kind == &counts.kinds.back()) {
+      add_count(parts, scene.definitions.size(), "named object", "named objects");
+    }
+    add_count(parts, kind.count, kind.name.one, kind.name.several);
+  }
   add_count(parts, counts.moving, "moving object", "moving objects");
   return listed(parts);
 }

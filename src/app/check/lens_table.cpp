@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "geometry/placing.hpp"
+#include "geometry/leaf.hpp"
 
 namespace penumbra {
 namespace {
@@ -35,20 +35,11 @@ class ObjectBounds {
   }
 
  private:
-  template <class Shape>
+  template <AnalyticShape Shape>
   Bounds of_shape(const Shape& shape, const Affine& placement) {
     return transformed_bounds(placement, shape);
   }
-  Bounds of_shape(const TriangleRange& range, const Affine&) {
-    const TriangleStore& store = *scene_.triangles;
-    Bounds bounds;
-    const std::size_t first = std::size_t{3} * range.first, count = std::size_t{3} * range.count;
-    for (std::size_t i = first; i < first + count; i++) {
-      const float* p = &store.vertices[std::size_t{3} * store.indices[i]];
-      bounds = include(bounds, Vec3{p[0], p[1], p[2]});
-    }
-    return bounds;
-  }
+  Bounds of_shape(const TriangleRange& range, const Affine&) { return bounds_of(*scene_.triangles, range); }
   Bounds of_shape(const std::shared_ptr<const Group>& group, const Affine&) {
     Bounds bounds;
     for (const Object& member : group->objects) bounds = include(bounds, of(member));
@@ -65,18 +56,14 @@ class ObjectBounds {
   std::vector<std::optional<Bounds>> definitions_;
 };
 
-struct NameOfShape {
-  std::string operator()(const Sphere&) const { return "sphere"; }
-  std::string operator()(const Box&) const { return "box"; }
-  std::string operator()(const Cylinder&) const { return "cylinder"; }
-  std::string operator()(const TriangleRange& range) const {
-    return range.count == 1 ? "triangle" : fmt::format("{} triangles", range.count);
+std::string describe_shape(const Shape& shape) {
+  if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&shape)) {
+    return fmt::format("group of {}", (*group)->objects.size());
   }
-  std::string operator()(const Instance&) const { return "instance"; }
-  std::string operator()(const std::shared_ptr<const Group>& group) const {
-    return fmt::format("group of {}", group->objects.size());
-  }
-};
+  const auto* triangles = std::get_if<TriangleRange>(&shape);
+  if (triangles != nullptr && triangles->count != 1) return fmt::format("{} triangles", triangles->count);
+  return std::string(name_of(shape).one);
+}
 
 constexpr std::string_view indent = "             ";
 
@@ -136,7 +123,7 @@ std::string lens_table(const Scene& scene) {
   ObjectBounds bounds_at_time(scene, time);
   const Vec3 view = -normalize(camera.back);
   for (std::size_t i = 0; i < std::min(objects.size(), most_rows); i++) {
-    const std::string name = fmt::format("{} {}", i + 1, std::visit(NameOfShape{}, objects[i].shape));
+    const std::string name = fmt::format("{} {}", i + 1, describe_shape(objects[i].shape));
     const Bounds bounds = bounds_at_time.of(objects[i]);
     text += is_empty(bounds) ? fmt::format("{}{:<20} {:>11}  nothing in it\n", indent, name, "-")
                              : row(scene, name, dot((bounds.lo + bounds.hi) / 2 - camera.eye, view));

@@ -23,9 +23,11 @@ void take_or_throw(const CommandOption& option, std::string_view text) {
 void add_option(CLI::App& app, const CommandOption& option) {
   CLI::Option* added = nullptr;
   if (option.metavar.empty()) {
-    added = app.add_flag_callback(option.name, [&option] { take_or_throw(option, {}); }, option.help);
+    added = app.add_flag_callback(
+        option.name, [&option] { take_or_throw(option, {}); }, option.help);
   } else if (option.times == Times::equals_optional) {
-    added = app.add_flag_function(option.name, [](std::int64_t) {}, option.help);
+    added = app.add_flag_function(
+        option.name, [](std::int64_t) {}, option.help);
     added->each([&option](const std::string& text) { take_or_throw(option, text == "true" ? "" : text); });
   } else if (option.times == Times::once || option.times == Times::value_optional) {
     added = app.add_option_function<std::string>(

@@ -12,8 +12,8 @@ namespace penumbra {
 // How often a value may be given.
 enum class Times : unsigned char {
   once,
-  repeated,       // the option may stand several times, each with one value
-  many,           // several values follow each other
+  repeated,        // the option may stand several times, each with one value
+  many,            // several values follow each other
   value_optional,  // once, and its value may be left out; the text is empty then
   equals_optional  // the same, and the value follows a `=`
 };

@@ -191,7 +191,7 @@ class RenderRun {
   void add_to_stats(const Frame& frame, const Plan& plan) {
     const Spent& spent = session_.spent();
     stats_.rays += spent.rays;
-    stats_.samples += spent.rays.camera;
+    stats_.samples += spent.rays[RayKind::eye];
     stats_.render_seconds += spent.seconds;
     stats_.threads = plan.threads;
     stats_.lanes = kernel_.lanes;

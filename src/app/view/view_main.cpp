@@ -9,7 +9,6 @@
 #include "app/options/command_line.hpp"
 #include "app/options/machine_options.hpp"
 #include "app/options/picture_options.hpp"
-#include "base/large_heap.hpp"
 #include "base/number_list.hpp"
 #include "picture/option_text.hpp"
 #include "viewer/scene_folder.hpp"
@@ -91,7 +90,6 @@ int run(int argc, char** argv) {
 }  // namespace penumbra
 
 int main(int argc, char** argv) {
-  penumbra::use_large_heap();
   try {
     return penumbra::run(argc, argv);
   } catch (const std::bad_alloc&) {

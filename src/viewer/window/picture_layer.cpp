@@ -18,7 +18,8 @@ void PictureLayer::load(const Session& session) {
   const double exposure = exposure_factor(loaded_exposure_);
   for (std::size_t i = 0; i < loaded_->sides.size(); i++) {
     const RefinedSide& side = loaded_->sides[i];
-    textures_[i].load(side.image, exposure, side.scene->settings.course != Course::off ? Rounding::course : Rounding::nearest);
+    textures_[i].load(side.image, exposure,
+                      side.scene->settings.course != Course::off ? Rounding::course : Rounding::nearest);
   }
 }
 

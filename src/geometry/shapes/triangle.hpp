@@ -1,11 +1,54 @@
-// Where W rays meet one triangle, without gaps along shared edges and corners: the corners are projected along the ray
+// The triangle. W rays meet it without gaps along shared edges and corners: the corners are projected along the ray
 // to a plane, each by the same arithmetic whatever triangle it belongs to, and the signs of the edge functions of the
 // projected corners are never wrong, only sometimes zero, which counts as inside (Woop, Benthin and Wald 2013).
 // The distance is that of the triangle's plane, so that triangles of one axis-aligned plane tie exactly.
 #pragma once
 
-#include "geometry/shape_kernels.hpp"
+#include "geometry/shapes/shape.hpp"
 
+namespace penumbra {
+
+struct LeafTriangle {
+  float a[3], b[3], c[3];
+  float normal[3];  // unit, along (B-A)x(C-A)
+};
+
+// The normal is that of the triangles of a mesh (geometry/mesh_packet.hpp) to the bit, so that both rooms agree on what
+// is equally far. Divided, not multiplied by an inverse, the normal of an axis-aligned plane is exactly one axis, and
+// all triangles in the plane are equally far. Where single precision has no answer, the double one.
+inline LeafTriangle leaf_of_triangle(Vec3 a, Vec3 b, Vec3 c) {
+  LeafTriangle leaf{};
+  set3(leaf.a, a);
+  set3(leaf.b, b);
+  set3(leaf.c, c);
+  const float ux = leaf.b[0] - leaf.a[0], uy = leaf.b[1] - leaf.a[1], uz = leaf.b[2] - leaf.a[2];
+  const float vx = leaf.c[0] - leaf.a[0], vy = leaf.c[1] - leaf.a[1], vz = leaf.c[2] - leaf.a[2];
+  const float n[3] = {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+  const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; i++) leaf.normal[i] = n[i] / size;
+  if (!std::isnormal(size)) set3(leaf.normal, normalize(cross(b - a, c - a)));
+  return leaf;
+}
+
+// Corner 0, 1 or 2 of a triangle.
+inline Vec3 corner_of(const TriangleStore& store, std::size_t triangle, std::size_t corner) {
+  const float* p = &store.vertices[std::size_t{3} * store.indices[3 * triangle + corner]];
+  return {p[0], p[1], p[2]};
+}
+
+inline Bounds bounds_of(const TriangleStore& store, TriangleRange range) {
+  Bounds bounds;
+  for (std::size_t i = 0; i < range.count; i++) {
+    for (std::size_t corner = 0; corner < 3; corner++) {
+      bounds = include(bounds, corner_of(store, range.first + i, corner));
+    }
+  }
+  return bounds;
+}
+
+}  // namespace penumbra
+
+#ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
 // The shear that turns the ray's direction into its largest axis.
@@ -117,4 +160,11 @@ PENUMBRA_INLINE Crossing cross_triangle(const SeenTriangle& triangle, Float3 dir
   }
 }
 
+PENUMBRA_INLINE SurfacePoint surface_at(const LeafTriangle& triangle, const ShapeRays& rays, Floats distance) {
+  const Float3 normal = broadcast3(triangle.normal);
+  const Float3 point = rays.at(distance);
+  return {point - normal * dot(normal, point - broadcast3(triangle.a)), normal};
+}
+
 }  // namespace penumbra::PENUMBRA_KERNEL
+#endif

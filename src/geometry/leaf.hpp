@@ -1,0 +1,69 @@
+// A leaf of the world, and the list of the shapes that it may hold. All that is known of a shape is in its own file
+// (geometry/shapes/shape.hpp).
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/shapes/box.hpp"
+#include "geometry/shapes/cylinder.hpp"
+#include "geometry/shapes/sphere.hpp"
+#include "geometry/shapes/triangle.hpp"
+
+namespace penumbra {
+
+// A mesh and an instance stand for more than one shape.
+enum class LeafKind : std::uint8_t { sphere, box, cylinder, triangle, mesh, instance };
+
+inline constexpr std::uint32_t no_placement = 0xffffffffu;
+
+// One shape of a group, in the space of the group (or of its placement, where it has one).
+struct Leaf {
+  LeafKind kind;
+  bool moves = false;        // `motion` is not zero
+  std::uint32_t order = 0;   // at equal distance the lower one wins
+  std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
+  std::uint32_t placement = no_placement;
+  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
+  float magnitude = 0;          // largest coordinate, in absolute value, on the way to a hit point
+  union {                       // the one of `kind`
+    LeafSphere sphere = {};
+    LeafBox box;
+    LeafCylinder cylinder;
+    LeafTriangle triangle;
+  };
+
+  explicit Leaf(const LeafSphere& s) : kind(LeafKind::sphere), sphere(s) {}
+  explicit Leaf(const LeafBox& b) : kind(LeafKind::box), box(b) {}
+  explicit Leaf(const LeafCylinder& c) : kind(LeafKind::cylinder), cylinder(c) {}
+  explicit Leaf(const LeafTriangle& t) : kind(LeafKind::triangle), triangle(t) {}
+  explicit Leaf(LeafKind nested) : kind(nested) {}
+
+  bool is_nested() const { return kind == LeafKind::mesh || kind == LeafKind::instance; }
+};
+
+}  // namespace penumbra
+
+#ifdef PENUMBRA_LANES
+namespace penumbra::PENUMBRA_KERNEL {
+
+// Calls `visit` with the shape of a leaf that is not nested.
+template <typename Visit>
+PENUMBRA_INLINE auto with_shape(const Leaf& leaf, Visit visit) {
+  switch (leaf.kind) {
+    case LeafKind::sphere:
+      return visit(leaf.sphere);
+    case LeafKind::box:
+      return visit(leaf.box);
+    case LeafKind::cylinder:
+      return visit(leaf.cylinder);
+    case LeafKind::triangle:
+      return visit(leaf.triangle);
+    case LeafKind::mesh:
+    case LeafKind::instance:
+      break;
+  }
+  __builtin_unreachable();
+}
+
+}  // namespace penumbra::PENUMBRA_KERNEL
+#endif

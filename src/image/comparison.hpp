@@ -1,5 +1,4 @@
-// Whether two pictures are the same, by the thresholds and verdicts of OpenImageIO's idiff, and by how much they
-// differ.
+// Whether two pictures are the same, by the thresholds and verdicts of OpenImageIO's idiff, and how much they differ.
 #pragma once
 
 #include <cstddef>

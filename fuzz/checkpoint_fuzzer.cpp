@@ -17,8 +17,10 @@ constexpr std::uint32_t rays = 64;
 
 std::unique_ptr<ResumableRender> render_for(std::uint8_t kind, const Frame& frame, const Kernel& kernel) {
   Plan plan;
-  plan.crop = (kind & 1) != 0 ? Crop{5, 3, 12, 9} : Crop{0, 0, 18, 10};
-  if ((kind & 2) != 0) plan.layers = {true, true, true, true, true};
+  plan.crop = (kind & 1) != 0 ? PixelRect{5, 3, 12, 9} : PixelRect{0, 0, 18, 10};
+  if ((kind & 2) != 0) {
+    for (const LayerRow& row : layer_table) plan.layers.add(row.layer);
+  }
   if ((kind & 4) != 0) plan.shard = {1, 2};
   if ((kind & 8) != 0) return std::make_unique<AdaptiveRender>(frame, kernel, plan, NoiseGoal{0.05f, rays});
   return std::make_unique<UniformRender>(frame, kernel, plan, rays, true);

@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   parts.pop_back();
   if (!complaints.empty()) return 0;
   Film film = merge(parts);
-  const Crop crop = film.crop();
+  const PixelRect crop = film.crop();
   try {
     const ImageFile image = develop(std::move(film), development_from(parts[0].header().development));
     require(image.image.rgb.size() == 3 * static_cast<std::size_t>(crop.width()) * crop.height());

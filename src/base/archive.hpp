@@ -1,5 +1,6 @@
 // Turns plain values into bytes and back: numbers as they are in memory (x86: little endian), strings and lists after
-// their length. Both archives are called in the same way, so that one function can describe a structure for both.
+// their length. Both archives are called in the same way, so that one function, serialize(archive, x), describes a
+// structure for both.
 #pragma once
 
 #include <array>
@@ -23,6 +24,10 @@ struct ArchiveError : std::runtime_error {
 
 template <class T>
 concept ArchivedNumber = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
+
+// What serialize() takes by reference: constant where the archive writes.
+template <class Archive, class T>
+using Archived = std::conditional_t<Archive::reads, T, const T>;
 
 class ArchiveWriter {
  public:
@@ -111,5 +116,16 @@ class ArchiveReader {
 
   std::span<const std::byte> bytes_;
 };
+
+// One of the values of an enumeration, from 0 to `last`.
+template <class Archive, class Enum>
+void serialize_enum(Archive& archive, Enum& value, std::type_identity_t<Enum> last) {
+  auto number = static_cast<std::uint8_t>(value);
+  archive(number);
+  if constexpr (Archive::reads) {
+    if (number > static_cast<std::uint8_t>(last)) throw ArchiveError("there is no such choice");
+    value = static_cast<Enum>(number);
+  }
+}
 
 }  // namespace penumbra

@@ -4,16 +4,14 @@
 #include <fmt/ranges.h>
 #include <sysexits.h>
 
-#include <nlohmann/json.hpp>
-
 #include "base/atomic_file.hpp"
+#include "base/json_text.hpp"
 #include "farm/scripts.hpp"
 
 namespace penumbra {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;
 
@@ -36,17 +34,17 @@ Json to_json(const Job& job) {
   if (job.minutes) json["minutes"] = *job.minutes;
   json["shards"] = job.shards;
   if (job.frames)
-    json["frames"] = {{"first", job.frames->first},
-                      {"last", job.frames->last},
-                      {"step", job.frames->step},
-                      {"digits", job.frames->digits}};
+    json["frames"] = Json::object({{"first", job.frames->first},
+                                   {"last", job.frames->last},
+                                   {"step", job.frames->step},
+                                   {"digits", job.frames->digits}});
   json["pictures"] = job.pictures;
   json["outputs"] = job.outputs;
   return json;
 }
 
 Job job_from(const Json& json) {
-  require(json.at("format") == format, "the format");
+  require(json.at("format").as<int>() == format, "the format");
   Job job;
   json.at("version").get_to(job.version);
   json.at("name").get_to(job.name);
@@ -55,13 +53,13 @@ Job job_from(const Json& json) {
   json.at("scene_hash").get_to(job.scene_hash);
   json.at("options").get_to(job.options);
   json.at("threads").get_to(job.threads);
-  job.partition = json.value("partition", "");
-  if (json.contains("minutes")) job.minutes = json.at("minutes").get<int>();
+  if (json.contains("partition")) json.at("partition").get_to(job.partition);
+  if (json.contains("minutes")) job.minutes = json.at("minutes").as<int>();
   json.at("shards").get_to(job.shards);
   if (json.contains("frames")) {
     const Json& frames = json.at("frames");
-    job.frames = {frames.at("first").get<int>(), frames.at("last").get<int>(), frames.at("step").get<int>(),
-                  frames.at("digits").get<int>()};
+    job.frames = {frames.at("first").as<int>(), frames.at("last").as<int>(), frames.at("step").as<int>(),
+                  frames.at("digits").as<int>()};
     require(job.frames->digits > 0 && job.frames->digits < 10, "the number of digits");
   }
   json.at("pictures").get_to(job.pictures);
@@ -76,11 +74,6 @@ Job job_from(const Json& json) {
   return job;
 }
 
-std::string text_of(const fs::path& path) {
-  const std::vector<std::byte> bytes = read_file(path);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 void write_text(const fs::path& path, const std::string& text) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
@@ -88,9 +81,9 @@ void write_text(const fs::path& path, const std::string& text) {
 // What `read` makes of the JSON in a file.
 template <class Read>
 auto parsed(const fs::path& path, const Read& read) {
-  const std::string text = text_of(path);
+  const std::vector<std::byte> text = read_file(path);
   try {
-    return read(Json::parse(text));
+    return read(json_from(text));
   } catch (const std::exception& error) {
     throw FileError(EX_DATAERR,
                     fmt::format("`{}` is not what `penumbra farm` has written: {}", path.string(), error.what()));
@@ -126,8 +119,8 @@ JobState JobFolder::read_state() const {
 void JobFolder::create(const Job& job) const {
   std::string manifest_text;
   try {
-    manifest_text = to_json(job).dump(2) + "\n";
-  } catch (const Json::exception&) {
+    manifest_text = to_text(to_json(job), BadText::refused) + "\n";
+  } catch (const std::invalid_argument&) {
     throw FileError(EX_CANTCREAT, "a file's name or an option is not text in UTF-8, so it cannot be written down");
   }
   for (const char* name : {"parts", "checkpoints", "stats", "logs"}) {
@@ -153,7 +146,7 @@ void JobFolder::write(const JobState& state) const {
   json["submitted"] = state.submitted;
   json["resubmissions"] = state.resubmissions;
   json["finished"] = state.finished;
-  write_text(this->state(), json.dump(2) + "\n");
+  write_text(this->state(), to_text(json) + "\n");
 }
 
 std::string ranges(const std::set<int>& numbers) {

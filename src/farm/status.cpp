@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "base/json_text.hpp"
 
 namespace penumbra {
 namespace {
@@ -99,7 +100,7 @@ std::string to_text(const Job& job, const JobStatus& status, WallClock::time_poi
 }
 
 std::string to_json(const Job& job, const JobStatus& status, WallClock::time_point now) {
-  nlohmann::ordered_json json;
+  Json json;
   json["name"] = job.name;
   json["scene"] = job.scene;
   json["outputs"] = job.outputs;
@@ -118,7 +119,7 @@ std::string to_json(const Job& job, const JobStatus& status, WallClock::time_poi
     json["estimated_end"] =
         fmt::format("{:%FT%TZ}", fmt::gmtime(WallClock::to_time_t(later(now, *status.seconds_left))));
   }
-  return json.dump(2) + "\n";
+  return to_text(json) + "\n";
 }
 
 }  // namespace penumbra

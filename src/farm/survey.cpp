@@ -1,9 +1,9 @@
 #include "farm/survey.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
+#include "base/json_text.hpp"
 
 namespace penumbra {
 
@@ -29,9 +29,9 @@ std::optional<double> seconds_of_unit(const Job& job, const JobFolder& folder) {
   int count = 0;
   for (int unit = 0; unit < job.units(); unit += step) {
     try {
-      const auto stats = nlohmann::json::parse(read_file(folder.stats(unit)));
+      const Json stats = json_from(read_file(folder.stats(unit)));
       for (const char* what : {"parse_seconds", "build_seconds", "render_seconds", "write_seconds"}) {
-        sum += stats.at(what).get<double>();
+        sum += stats.at(what).as<double>();
       }
       count++;
     } catch (const std::exception&) {  // not rendered yet, or not by this program: the others tell enough

@@ -90,14 +90,14 @@ void Canvas::curve(const std::vector<Place>& places, double width, const Color& 
   // First the distance to the nearest segment, so that joints are not painted twice.
   const double reach = width / 2 + 1;
   const auto bounds_of = [&](const Place& a, const Place& b) {
-    return Window{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),
-                  std::max(clip_.y0, static_cast<int>(std::floor(std::min(a.second, b.second) - reach))),
-                  std::min(clip_.x1, static_cast<int>(std::ceil(std::max(a.first, b.first) + reach))),
-                  std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
+    return PixelRect{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),
+                     std::max(clip_.y0, static_cast<int>(std::floor(std::min(a.second, b.second) - reach))),
+                     std::min(clip_.x1, static_cast<int>(std::ceil(std::max(a.first, b.first) + reach))),
+                     std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
   };
-  Window all = bounds_of(places[0], places[0]);
+  PixelRect all = bounds_of(places[0], places[0]);
   for (const Place& place : places) {
-    const Window window = bounds_of(place, place);
+    const PixelRect window = bounds_of(place, place);
     all = {std::min(all.x0, window.x0), std::min(all.y0, window.y0), std::max(all.x1, window.x1),
            std::max(all.y1, window.y1)};
   }
@@ -109,7 +109,7 @@ void Canvas::curve(const std::vector<Place>& places, double width, const Color& 
   };
   for (std::size_t i = 0; i < places.size(); i++) {
     const Place &a = places[i > 0 ? i - 1 : 0], &b = places[i];
-    const Window window = bounds_of(a, b);
+    const PixelRect window = bounds_of(a, b);
     for (int y = window.y0; y < window.y1; y++) {
       for (int x = window.x0; x < window.x1; x++) {
         nearest_at(x, y) = std::min(nearest_at(x, y), distance_to_segment(x + 0.5, y + 0.5, a, b));

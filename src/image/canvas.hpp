@@ -20,7 +20,7 @@ class Canvas {
   Canvas(int width, int height, const Color& background);
 
   // From now on, nothing outside this rectangle of whole pixels is drawn.
-  void clip_to(const Window& window) { clip_ = window; }
+  void clip_to(const PixelRect& window) { clip_ = window; }
   void clip_to_all() { clip_ = {0, 0, image_.width, image_.height}; }
 
   void pixel(int x, int y, const Color& color);
@@ -41,7 +41,7 @@ class Canvas {
   void around(Place centre, double reach, F&& f);
 
   Image image_;
-  Window clip_;
+  PixelRect clip_;
 };
 
 }  // namespace penumbra

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/pixel_rect.hpp"
 #include "base/zeroed_pages.hpp"
 
 namespace penumbra {
@@ -32,15 +33,6 @@ struct Channel {
   bool operator==(const Channel&) const = default;
 };
 
-// Pixels x0..x1-1, y0..y1-1 of a picture, counted from its top-left pixel.
-struct Window {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  bool operator==(const Window&) const = default;
-};
-
 // Keys and values as text: the scene, the options that change the picture, the version. Keys have 1-60 letters, digits,
 // `_` or `-`; values are UTF-8.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
@@ -48,14 +40,14 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 // A picture as a file holds it.
 struct ImageFile {
   Image image;                          // the pixels of the window
-  Window window;                        // where they are in the full picture; not stored in a PNG
+  PixelRect window;                     // where they are in the full picture; not stored in a PNG
   int full_width = 0, full_height = 0;  // size of the full picture
   std::vector<Channel> layers;          // of the window's size; EXR only
   Metadata metadata;
 };
 
 // Whether the window differs from the full picture.
-inline bool is_crop(const ImageFile& file) { return file.window != Window{0, 0, file.full_width, file.full_height}; }
+inline bool is_crop(const ImageFile& file) { return file.window != PixelRect{0, 0, file.full_width, file.full_height}; }
 
 // The file for an image that is a full picture.
 inline ImageFile whole_picture(Image image, Metadata metadata = {}) {

@@ -10,14 +10,13 @@
 namespace penumbra {
 
 constexpr int largest_image_side = 1 << 17;
-constexpr std::int64_t most_image_pixels = std::int64_t{1} << 28;
 
 // Whether a file of `file_bytes` can hold a picture of this size that takes `raw_bytes` before compression by Deflate,
 // which compresses at most by a factor of 1032 (RFC 1951: 258 bytes from two bits at best).
 constexpr bool is_plausible_size(std::int64_t width, std::int64_t height, std::uint64_t raw_bytes,
                                  std::size_t file_bytes) {
   return width > 0 && height > 0 && width <= largest_image_side && height <= largest_image_side &&
-         width * height <= most_image_pixels && raw_bytes / 1032 <= file_bytes;
+         width * height <= most_pixels && raw_bytes / 1032 <= file_bytes;
 }
 
 // Throws FileError 70 if the picture is empty or beyond the limits, or does not have `values_per_pixel` values for

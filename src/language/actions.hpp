@@ -1,4 +1,4 @@
-// What the commands of the language do. Each gets arguments that are already checked against the command table.
+// What the commands of the language do. Each receives arguments already checked against the command table.
 #pragma once
 
 #include "language/command.hpp"

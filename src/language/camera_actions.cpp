@@ -1,4 +1,4 @@
-// The camera, and how its rays are spent.
+// The commands for the camera and for how its rays are spent.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t slots = 256;
 constexpr std::uint8_t empty_slot = 255;
 
-// Enough to tell most commands apart; those that collide are in neighbouring slots.
+// Enough to tell most commands apart; those that collide take neighbouring slots.
 std::size_t hash_of(std::string_view name) {
   const auto at = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(name[i])); };
   return (name.size() * 7 + at(0) * 31 + at(name.size() / 2) * 5 + at(name.size() - 1) * 3) % slots;
@@ -92,7 +92,7 @@ std::string range_of(const Argument& argument) {
 
 bool accepts(const Argument& argument, double value) {
   if (argument.kind == Kind::whole_number && value != std::floor(value)) return false;
-  // A number may be above the bound and yet on it where it is used, in single precision.
+  // A number above the bound may round to it in single precision, in which it is used.
   const double used = argument.kind == Kind::number ? static_cast<double>(static_cast<float>(value)) : value;
   const bool above = argument.above_low ? used > argument.low : value >= argument.low;
   const bool below = argument.below_high ? used < argument.high : value <= argument.high;

@@ -1,5 +1,5 @@
-// What a command of the language is: its name, what may follow it, one line of help, and what it does.
-// Everything that knows commands (reading, messages, hints, the reference page) works from one table of these.
+// A command of the scene language: its name, its arguments, one line of help, and what it does. Reading, messages,
+// hints and the reference page all work from one table of these.
 #pragma once
 
 #include <array>
@@ -17,28 +17,28 @@ namespace penumbra {
 
 enum class Kind : std::uint8_t { number, whole_number, name, file };
 
-// One argument and, for numbers, the range it has to be in.
+// One argument and, for numbers, the range it must be in.
 struct Argument {
   std::string_view name;
   Kind kind = Kind::number;
   double low = -largest_number;
   double high = largest_number;
-  bool above_low = false;   // `low` itself is out
-  bool below_high = false;  // `high` itself is out
+  bool above_low = false;   // `low` itself is excluded
+  bool below_high = false;  // `high` itself is excluded
 
   bool is_number() const { return kind == Kind::number || kind == Kind::whole_number; }
 };
 
 inline constexpr int most_arguments = 13;
 
-// The arguments of one way to write a command.
+// The arguments of a command in one of its forms.
 struct Form {
   std::span<const Argument> argument;
 
   constexpr int count() const { return static_cast<int>(argument.size()); }
 };
 
-// The ways to write a command: mostly one, at most two that differ in their number of arguments.
+// The forms of a command: usually one, at most two, which differ in the number of arguments.
 struct Forms {
   std::array<Form, 2> form{};
   int count = 1;
@@ -63,7 +63,7 @@ struct Command {
   bool in_polygon = true;  // may stand between `begin` and `end`
 };
 
-// A command as it stands in a file, its arguments checked against one of its forms.
+// A command as it occurs in a file, with its arguments checked against one of its forms.
 struct Call {
   const Command& command;
   const Form& form;
@@ -86,16 +86,16 @@ std::span<const Command> all_commands();
 // The command of that name; null if there is none.
 const Command* find_command(std::string_view name);
 
-// Whether `word` is a command that only other programs know: coursework of later projects and private additions.
+// Whether `word` is a command that only other programs know: from later projects of the course, or a private extension.
 bool is_command_of_other_programs(std::string_view word);
 
-// The command whose name is nearest to `word`; empty if none is near.
+// The name of a command that is nearest to `word`; empty if none is near.
 std::string_view nearest_command(std::string_view word);
 
 // "radius x y z"
 std::string argument_names(const Form& form);
 
-// "4 numbers: radius x y z", or the same for every form: what an error says that the command takes.
+// What the command takes, for error messages: "4 numbers: radius x y z", with ", or " between two forms.
 std::string what_it_takes(const Command& command);
 
 // "greater than 0", "a whole number from 1 to 100"; empty if any number will do.

@@ -1,5 +1,5 @@
 // The table of all commands: name, section, arguments, one line of help, action. Reading, error messages, hints and
-// docs/language.md all come from here. Below it, the names that only other programs know.
+// docs/language.md all work from this table. Below it are the names that only other programs know.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,8 +53,8 @@ constexpr double far_pixel = 1 << 30;
 constexpr Argument px0 = whole("x0", -far_pixel, far_pixel), py0 = whole("y0", -far_pixel, far_pixel);
 constexpr Argument px1 = whole("x1", -far_pixel, far_pixel), py1 = whole("y1", -far_pixel, far_pixel);
 
-// The arguments stand once for each form, and not in a table with room for the longest: what the loader has to go
-// through at every start is small.
+// Each form has a list of exactly its arguments, without room for the longest form: this keeps small what the loader
+// has to process at every start.
 template <const Argument&... arguments>
 constexpr std::array<Argument, sizeof...(arguments)> list{arguments...};
 template <const Argument&... arguments>
@@ -64,19 +64,19 @@ constexpr Forms takes{form<arguments...>};
 constexpr Forms none = takes<>;
 
 using enum Section;
-constexpr bool no = false;  // not between `begin` and `end`
+constexpr bool no = false;  // may not stand between `begin` and `end`
 
 constexpr std::array table{
     Command{"background", output, takes<r, g, b>, "the colour of a ray that hits nothing; black if not given",
             actions::background},
     Command{"image_size", output, takes<pixels_w, pixels_h>, "width and height of the picture in pixels; 300 300",
             actions::image_size},
-    Command{"write", output, takes<file>, "a picture of the scene as it stands here, into that file", actions::write,
-            no},
+    Command{"write", output, takes<file>, "a picture of the scene as it stands here, written to that file",
+            actions::write, no},
     Command{"render", output, none, "a picture of the scene as it stands here, named after the scene file",
             actions::render, no},
     Command{"read", output, takes<file>,
-            "read another file in place, with the current matrix and surface; relative to the file that says it",
+            "read another file in place, with the current matrix and surface; relative to the file that names it",
             actions::read},
     Command{"reset_timer", output, none, "set the clock to zero, between the pictures before and after it",
             actions::reset_timer},
@@ -107,25 +107,25 @@ constexpr std::array table{
             "the pattern of the sample points: regular, random, jittered, multijittered, poisson, halton, sobol or "
             "bluenoise; sobol",
             actions::sampler},
-    Command{"seed", sampling, takes<any_seed>, "another choice of the random numbers; 0", actions::seed},
+    Command{"seed", sampling, takes<any_seed>, "selects the random numbers; 0", actions::seed},
     Command{"max_depth", sampling, takes<depth>,
-            "at this depth no further ray is sent; the ray from the eye has depth 0; 8", actions::max_depth},
+            "at this depth, no further rays are sent; the ray from the eye has depth 0; 8", actions::max_depth},
     Command{"reflection_rays", sampling, takes<rays_each>,
-            "reflected rays from what a ray from the eye hits; every deeper hit sends one; 1",
+            "reflected rays from each hit of a ray from the eye; every deeper hit sends one; 1",
             actions::reflection_rays},
     Command{"transmission_rays", sampling, takes<rays_each>, "the same for transmitted rays; 1",
             actions::transmission_rays},
-    Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each disk light; 1",
+    Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each light with an area; 1",
             actions::shadow_rays},
 
     Command{"light", lights, takes<x, y, z, r, g, b>, "a point light, equally bright at every distance",
             actions::point_light},
     Command{"point_light", lights, takes<x, y, z, r, g, b>, "the same", actions::point_light},
     Command{"disk_light", lights, takes<x, y, z, light_radius, dx, dy, dz, r, g, b>,
-            "a disk that faces the direction dx dy dz and casts soft shadows; it is not seen itself",
+            "a disk that faces the direction dx dy dz and casts soft shadows; the disk itself is not visible",
             actions::disk_light},
     Command{"spotlight", lights, takes<x, y, z, dx, dy, dz, inner, outer, r, g, b>,
-            "a light into one direction: full up to `inner` degrees from it, fading to none at `outer`",
+            "a light in one direction: full up to `inner` degrees from it, fading to none at `outer`",
             actions::spotlight},
 
     Command{"surface", surfaces, Forms(form<dr, dg, db>, form<dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl>),
@@ -139,7 +139,7 @@ constexpr std::array table{
             "diffuse, specular and a mirror that is blurred by gloss_radius", actions::glossy},
     Command{"translucent", surfaces,
             takes<dr, dg, db, sr, sg, sb, spec_pow, k_refl, gloss_radius, k_trans, index, blur_radius>,
-            "as `glossy`, and light comes through, blurred by blur_radius", actions::translucent},
+            "like `glossy`, and light passes through, blurred by blur_radius", actions::translucent},
     Command{"noise", surfaces, takes<scale>, "solid noise in grey instead of the diffuse colour", actions::noise},
     Command{"wood", surfaces, none, "solid wood instead of the diffuse colour, with its rings round the x axis",
             actions::wood},
@@ -149,45 +149,45 @@ constexpr std::array table{
 
     Command{"begin", shapes, none, "starts a triangle or a convex polygon", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
-    Command{"texture_coord", shapes, takes<u, v>, "accepted, and of no effect", actions::texture_coord},
+    Command{"texture_coord", shapes, takes<u, v>, "accepted, but without effect", actions::texture_coord},
     Command{"end", shapes, none, "ends it; more than three corners are split as a fan", actions::end},
     Command{"sphere", shapes, takes<radius, x, y, z>, "a sphere round the point x y z", actions::sphere, no},
     Command{"moving_sphere", shapes, takes<radius, x1, y1, z1, x2, y2, z2>,
-            "a sphere whose centre moves straight from the first point to the second during time 0 to 1",
+            "a sphere whose centre moves in a straight line from the first point, at time 0, to the second, at time 1",
             actions::moving_sphere, no},
-    Command{"box", shapes, takes<x1, y1, z1, x2, y2, z2>, "a box along the axes; two opposite corners, in any order",
+    Command{"box", shapes, takes<x1, y1, z1, x2, y2, z2>, "a box along the axes, by two opposite corners in any order",
             actions::box, no},
     Command{"cylinder", shapes, takes<radius, x, z, ymin, ymax>, "a cylinder along y, closed at both ends",
             actions::cylinder, no},
     Command{"hollow_cylinder", shapes, takes<radius, x, z, ymin, ymax>, "the same without ends",
             actions::hollow_cylinder, no},
     Command{"mesh", shapes, takes<file>,
-            "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that says "
-            "it",
+            "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that "
+            "names it",
             actions::mesh, no},
 
     Command{"moving_object", groups, takes<dx, dy, dz>,
-            "the last object (shape, mesh, group or instance) is shifted by time * (dx, dy, dz); a second one adds",
+            "the last object (shape, mesh, group or instance) is shifted by time * (dx, dy, dz); several add up",
             actions::moving_object, no},
     Command{"begin_list", groups, none, "starts a group", actions::begin_group, no},
-    Command{"end_list", groups, none, "ends it; the group is the last object then", actions::end_group, no},
+    Command{"end_list", groups, none, "ends it; the group is then the last object", actions::end_group, no},
     Command{"begin_accel", groups, none, "starts a group", actions::begin_group, no},
     Command{"end_accel", groups, none, "ends it, whichever way it was started", actions::end_group, no},
     Command{"named_object", groups, takes<name>,
-            "takes the last object or group out of the scene and gives it a name; then there is no last object",
+            "takes the last object or group out of the scene and gives it a name; there is then no last object",
             actions::named_object, no},
     Command{"instance", groups, takes<name>,
-            "places what has that name under the current matrix, with the surfaces of its definition",
+            "places the object with that name under the current matrix, with the surfaces of its definition",
             actions::instance, no},
 
-    Command{"push", matrix, none, "keeps the current matrix", actions::push},
-    Command{"pop", matrix, none, "goes back to the matrix kept last", actions::pop},
+    Command{"push", matrix, none, "saves the current matrix", actions::push},
+    Command{"pop", matrix, none, "restores the matrix saved last", actions::pop},
     Command{"translate", matrix, takes<x, y, z>, "shift", actions::translate},
     Command{"scale", matrix, takes<x, y, z>, "stretch along the axes; a factor of zero is an error", actions::scale},
-    Command{"rotate", matrix, takes<degrees, ax, ay, az>, "turn about any axis, right handed", actions::rotate},
-    Command{"rotatex", matrix, takes<degrees>, "turn about the x axis", actions::rotate_x},
-    Command{"rotatey", matrix, takes<degrees>, "turn about the y axis", actions::rotate_y},
-    Command{"rotatez", matrix, takes<degrees>, "turn about the z axis", actions::rotate_z},
+    Command{"rotate", matrix, takes<degrees, ax, ay, az>, "rotate about any axis, right-handed", actions::rotate},
+    Command{"rotatex", matrix, takes<degrees>, "rotate about the x axis", actions::rotate_x},
+    Command{"rotatey", matrix, takes<degrees>, "rotate about the y axis", actions::rotate_y},
+    Command{"rotatez", matrix, takes<degrees>, "rotate about the z axis", actions::rotate_z},
 };
 
 constexpr bool has_room_in_call(const Command& command) {

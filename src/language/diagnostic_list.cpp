@@ -16,7 +16,7 @@ int to_int(std::uint64_t value) {
   return static_cast<int>(std::min<std::uint64_t>(value, std::numeric_limits<int>::max()));
 }
 
-// Cuts at most at `length` bytes, not inside a character.
+// The first `length` bytes, or fewer so as not to cut inside a character.
 std::string_view shortened(std::string_view text, std::size_t length) {
   if (text.size() <= length) return text;
   while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) length--;

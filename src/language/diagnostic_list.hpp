@@ -1,5 +1,5 @@
-// Collects the findings of one reading over all the files it opens, and puts them into the order in which a reader of
-// the text, files in place of the lines that read them, would meet them.
+// Collects the errors and warnings of one reading over all the files that it opens, and sorts them into the order of
+// the text, with each file in place of the line that reads it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace penumbra {
 
-// A part of a line of one file that was opened. Keeps the line itself, so that it outlives the file.
+// A part of a line of an opened file. Keeps a copy of the line, so that it outlives the file.
 struct Place {
   std::uint32_t visit = 0;  // which opening of a file, see DiagnosticList::open
   int line = 0;             // 0: the whole file
@@ -26,15 +26,15 @@ class DiagnosticList {
   static constexpr int most_errors = 20;
   static constexpr int most_warnings = 50;
 
-  // Announces a file that is opened by what stands at `by` (ignored for the first); the result names this opening.
+  // Registers a file that the command at `by` opens (ignored for the first file); returns the number of this visit.
   std::uint32_t open(std::string file, const Place& by);
 
-  // Adds a finding; of more than can be told only the number is kept.
+  // Adds a finding; beyond most_errors or most_warnings, only counts it.
   void error(const Place& place, std::string message, std::string hint = {});
   void warning(const Place& place, std::string message, std::string hint = {});
 
   bool has_error() const { return errors_ > 0; }
-  // More errors than are told have been found: reading on is of no use.
+  // More errors have been found than are reported: reading can stop.
   bool is_full() const { return errors_ > most_errors; }
   const std::string& file_of(const Place& place) const { return visits_[place.visit].file; }
 
@@ -62,10 +62,10 @@ class DiagnosticList {
   std::int64_t warnings_ = 0;
 };
 
-// The place of `part`, which is a view of a part of `line`.
+// The place of `part`, which is a view into `line`.
 Place place_of(std::uint32_t visit, const Line& line, std::string_view part);
 
-// A word of the file as it is quoted in a message: shortened if it is very long, without control characters.
+// A word of the file, quoted for a message: shortened if it is very long, without control characters.
 std::string in_quotes(std::string_view word);
 
 }  // namespace penumbra

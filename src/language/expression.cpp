@@ -1,5 +1,5 @@
-// The text is cut into its parts here first: only numbers, names and signs that are known get as far as muParser, and
-// what is wrong with one of them is told at its place.
+// The text is first cut into its parts here: only known numbers, names and operators reach muParser, and an error in
+// one of them is reported at its place.
 #include "language/expression.hpp"
 
 #include <fmt/format.h>
@@ -76,7 +76,7 @@ std::shared_ptr<void> make_parser(const Moment& moment) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-// The first part of an expression, which does not begin with a blank; or what is wrong with it.
+// The first part of an expression that does not begin with a blank, or the error in it.
 struct FirstPart {
   std::string_view part;
   std::optional<ExpressionError> error;
@@ -94,7 +94,7 @@ FirstPart first_number(std::string_view text) {
     case NumberError::not_a_number:
       break;
   }
-  return {part, ExpressionError{text.substr(0, 1), "a number in this expression is not complete", {}}};
+  return {part, ExpressionError{text.substr(0, 1), "a number in this expression is incomplete", {}}};
 }
 
 FirstPart first_name(std::string_view text) {
@@ -103,7 +103,7 @@ FirstPart first_name(std::string_view text) {
   const std::string_view part = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   static const std::vector<std::string_view> names = all_names();
   if (std::find(names.begin(), names.end(), part) != names.end()) return {part, std::nullopt};
-  return {part, ExpressionError{part, fmt::format("an expression knows no {}", in_quotes(part)),
+  return {part, ExpressionError{part, fmt::format("unknown name {} in this expression", in_quotes(part)),
                                 did_you_mean(nearest_word(part, names))}};
 }
 
@@ -114,10 +114,10 @@ FirstPart first_part(std::string_view text) {
     if (text.starts_with(sign)) return {text.substr(0, sign.size()), std::nullopt};
   }
   const std::string_view part = text.substr(0, 1);
-  return {part, ExpressionError{part, fmt::format("an expression cannot have a {}", in_quotes(part)), {}}};
+  return {part, ExpressionError{part, fmt::format("{} is not allowed in an expression", in_quotes(part)), {}}};
 }
 
-// What is wrong with the parts of an expression, one by one.
+// The first error in a single part of an expression.
 std::optional<ExpressionError> error_in_parts(std::string_view text) {
   for (std::string_view rest = text; !rest.empty();) {
     if (is_blank(rest[0])) {
@@ -145,11 +145,11 @@ std::string sentence_for(int code, std::string_view token) {
       return "a function in this expression has too few arguments";
     default:
       return token.empty() ? "this expression makes no sense"
-                           : fmt::format("{} makes no sense at this place of the expression", in_quotes(token));
+                           : fmt::format("{} makes no sense at this place in the expression", in_quotes(token));
   }
 }
 
-// The part that an error of muParser means: it tells where the part begins, or where it ends.
+// The part that an error of muParser refers to: `position` is where the part begins, or where it ends.
 std::string_view part_of(int position, std::string_view token, std::string_view text) {
   const auto at = static_cast<std::size_t>(std::max(position, 0));
   for (const std::size_t begin : {at, at - std::min(at, token.size())}) {

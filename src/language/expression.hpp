@@ -10,7 +10,7 @@
 
 namespace penumbra {
 
-// What is wrong with an expression, at which part of its text.
+// What is wrong with an expression, and at which part of its text.
 struct ExpressionError {
   std::string_view part;
   std::string sentence;
@@ -22,7 +22,7 @@ class Expressions {
   // The variables have the values of this moment.
   explicit Expressions(const Moment& moment) : moment_(moment) {}
 
-  // The value of what stands between the braces. It may be infinite or no number.
+  // Evaluates the text between the braces. The value may be infinite or not a number.
   std::optional<ExpressionError> evaluate(std::string_view text, double& value);
 
  private:

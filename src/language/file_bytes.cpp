@@ -25,7 +25,7 @@ struct Descriptor {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-// Reads up to `size` bytes; a file that shrinks meanwhile gives fewer.
+// Reads up to `size` bytes; fewer if the file shrinks meanwhile.
 std::string read_all(int descriptor, std::size_t size, int& error_code) {
   std::string text(size, '\0');
   std::size_t done = 0;

@@ -1,4 +1,4 @@
-// The bytes of one file, read at once or mapped, and the seam through which every file of a scene is opened, so that
+// The bytes of one file, copied or mapped, and the function through which every file of a scene is opened, so that
 // tests and fuzzers can serve files from memory.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace penumbra {
 
-// Owns the contents of a file. Small files are copied, so that an editor that rewrites one cannot pull it away; large
+// Owns the contents of a file. Small files are copied, so that an editor cannot truncate one while it is in use; large
 // ones are mapped. The view stays valid when the object is moved.
 class FileBytes {
  public:
@@ -20,12 +20,13 @@ class FileBytes {
   FileBytes& operator=(FileBytes&& other) noexcept;
   ~FileBytes();
 
-  // Takes over a mapping made by mmap.
+  // Takes ownership of a mapping made by mmap.
   static FileBytes from_mapping(void* address, std::size_t size);
 
   std::string_view view() const;
 
-  // Says that nothing before `offset` is needed soon, so that the memory of a mapped file does not add to the scene's.
+  // Declares that nothing before `offset` is needed soon, so that a mapped file does not add to the memory of the
+  // scene.
   void release_before(std::size_t offset);
 
  private:
@@ -48,7 +49,7 @@ using FileLoader = std::function<LoadedFile(const std::filesystem::path&)>;
 // Opens a regular file of the file system.
 LoadedFile load_from_disk(const std::filesystem::path& path);
 
-// The same for a file that may be cut short while it is used: it is never mapped.
+// The same for a file that may be truncated while it is in use: it is never mapped.
 LoadedFile load_copy_from_disk(const std::filesystem::path& path);
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// Groups, named objects, their instances, and motion of the last object.
+// The commands for groups, named objects, their instances, and the motion of the last object.
 #include <fmt/format.h>
 
 #include "language/actions.hpp"
@@ -24,7 +24,7 @@ void end_group(Reading& reading, const Call& call) {
   const OpenGroup& group = tree.innermost();
   if (call.command.name == "end_list" && group.opener == "begin_accel") {
     reading.diagnostics.warning(call.place(),
-                                fmt::format("`end_list` ends the `begin_accel` in line {}", group.place.line));
+                                fmt::format("`end_list` ends the `begin_accel` on line {}", group.place.line));
   }
   if (group.objects.empty()) reading.diagnostics.warning(group.place, "this group is empty");
   reading.complain(call.place(), reading.builder.close_group());

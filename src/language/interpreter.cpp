@@ -1,5 +1,5 @@
-// From a line to the action of its command: finds the command, checks the arguments, and says what is wrong with them.
-// Lines with `vertex`, of which a mesh has millions, take a short cut that ends at the same place.
+// Executes a line: finds its command, checks the arguments and reports errors in them, and runs the command's action.
+// Lines with `vertex`, of which a mesh can have millions, take a shortcut with the same result.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view vertex_name = "vertex";
 
 // Reads `vertex x y z` while a polygon is open. False, with nothing done, for any other line and for anything that
-// deserves a message: the long way finds it again.
+// deserves a message, which the general way then gives.
 bool read_vertex_quickly(SceneBuilder& builder, std::string_view line) {
   const char* p = line.data();
   const char* const end = p + line.size();
@@ -41,7 +41,7 @@ void unknown_command(Reading& reading, const Place& place, std::string_view word
   const bool other = is_command_of_other_programs(word);
   const std::string name = in_quotes(word);
   if (reading.options.lenient && (other || near.empty())) {
-    reading.diagnostics.warning(place, fmt::format("{} is no command of this program; the line is skipped", name));
+    reading.diagnostics.warning(place, fmt::format("{} is not a command of this program; the line is skipped", name));
   } else if (other) {
     reading.diagnostics.error(place, fmt::format("{} is a command that only other programs know", name),
                               "--lenient skips such lines with a warning");
@@ -57,7 +57,7 @@ const Form* form_with(const Command& command, int arguments) {
   return nullptr;
 }
 
-// Says that there are too few or too many arguments, at the first that is too many or at the command.
+// Reports that there are too few or too many arguments, at the first extra one or at the command.
 void wrong_count(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   int most = 0;
   for (const Form& form : command.forms.all()) most = std::max(most, form.count());
@@ -67,7 +67,7 @@ void wrong_count(Reading& reading, const Command& command, const Line& line, std
                             fmt::format("`{}` takes {}; found {}", command.name, what_it_takes(command), found));
 }
 
-// Reads a number that is written as `{expression}`.
+// Reads a number written as `{expression}`.
 bool read_expression(Reading& reading, const Call& call, int i, double& value) {
   reading.varies = true;
   const std::string_view word = call.word(i);
@@ -86,9 +86,8 @@ bool read_expression(Reading& reading, const Call& call, int i, double& value) {
   }
   if (std::abs(value) <= largest_number) return true;
   const Moment& moment = reading.options.moment;
-  reading.diagnostics.error(
-      call.place_of_argument(i),
-      fmt::format("{} is no finite number where frame is {} and t is {}", in_quotes(word), moment.frame, moment.t));
+  reading.diagnostics.error(call.place_of_argument(i), fmt::format("{} is not finite when frame is {} and t is {}",
+                                                                   in_quotes(word), moment.frame, moment.t));
   return false;
 }
 
@@ -123,12 +122,12 @@ bool read_number(Reading& reading, Call& call, int i) {
   return false;
 }
 
-// An expression without end takes the words behind it, so it is told before the words are counted.
+// An unclosed expression swallows the words after it, so it is reported before the words are counted.
 bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit, const Words& words) {
   for (int i = 1; i < std::min(words.count, Words::most); i++) {
     const std::string_view word = words.word[static_cast<std::size_t>(i)];
     if (word.front() != '{' || word.find('}') != word.npos) continue;
-    reading.diagnostics.error(place_of(visit, line, word.substr(0, 1)), "this `{` has no `}` in the same line");
+    reading.diagnostics.error(place_of(visit, line, word.substr(0, 1)), "this `{` has no `}` on the same line");
     return true;
   }
   return false;
@@ -146,7 +145,7 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
   }
   if (right && !command.in_polygon && reading.builder.in_polygon()) {
     reading.diagnostics.error(call.place(),
-                              fmt::format("`{}` may not stand between `begin` and `end`; the polygon begun in line {} "
+                              fmt::format("`{}` may not stand between `begin` and `end`; the polygon begun on line {} "
                                           "is still open",
                                           command.name, reading.builder.polygon_place().line));
     right = false;
@@ -154,7 +153,7 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
   if (right) command.action(reading, call);
 }
 
-// Remembers the first object that no picture will show if none follows.
+// Remembers the first object after the last picture so far: unless another follows, no picture shows it.
 void watch_objects(Reading& reading, std::uint32_t visit, const Line& line, const Words& words) {
   if (reading.builder.pictures() == 0 || reading.after_pictures) return;
   if (reading.builder.tree().objects_added() + reading.builder.rects() > reading.objects_in_pictures) {

@@ -1,4 +1,4 @@
-// The lights. They stand where they are said to, whatever the current matrix.
+// The light commands. The current matrix does not move lights.
 #include <fmt/format.h>
 
 #include "language/actions.hpp"
@@ -6,7 +6,7 @@
 namespace penumbra::actions {
 namespace {
 
-// A direction needs a length; `first` is the argument at which it starts.
+// Checks that the direction that starts at argument `first` is not zero.
 bool has_direction(Reading& reading, const Call& call, int first) {
   const Vec3 direction = call.vec(first);
   if (max_component(abs(direction)) > 0) return true;

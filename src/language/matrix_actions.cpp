@@ -1,4 +1,4 @@
-// The current matrix: every command multiplies it from the right, so that the last one said is applied first.
+// The matrix commands: each multiplies the current matrix from the right, so that the last one is applied first.
 #include <fmt/format.h>
 
 #include "language/actions.hpp"
@@ -37,7 +37,7 @@ void rotate(Reading& reading, const Call& call) {
   Vec3 axis = call.vec(1);
   const double size = max_component(abs(axis));
   if (size == 0) return reading.diagnostics.error(call.place_of_argument(1), "the axis of `rotate` has no length");
-  // The squares of very small or large components would leave the range of a double.
+  // The squares of very small or large components would underflow or overflow.
   multiply(reading, call, rotation(call[0], axis / size));
 }
 

@@ -1,5 +1,5 @@
 // Mesh files: OBJ, and PLY as text or binary of either byte order. Only positions and faces are used; polygons are
-// split as fans. Nothing in a file can make the readers take more memory than a small multiple of its size.
+// split as fans. Nothing in a file can make the readers use more memory than a small multiple of its size.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +15,15 @@
 namespace penumbra {
 
 struct MeshError {
-  Place place;  // in the mesh file; line 0 where a binary part is wrong, and `message` names the byte then
+  Place place;  // in the mesh file; line 0 for an error in binary data, whose byte `message` names
   std::string message;
 };
 
 // An error without a line.
 MeshError mesh_error(std::string message);
 
-// Appends the triangles of a mesh file, transformed by `matrix`, to `store`, which is as before if there is an error.
-// The format is told from the start of the file, or from the end of its name.
+// Appends the triangles of a mesh file, transformed by `matrix`, to `store`, which is unchanged if there is an error.
+// The format is recognised by the start of the file, or by the end of its name.
 std::optional<MeshError> read_mesh(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
                                    TriangleStore& store);
 

@@ -63,7 +63,7 @@ class ObjReader {
     if (word == "v") return read_vertex(word, rest);
     if (word == "f" || word == "fo") return read_face(word, rest);
     if (std::find(skipped.begin(), skipped.end(), word) != skipped.end()) return skip_continuation();
-    fail(word, fmt::format("{} is no statement of an OBJ file", in_quotes(word)));
+    fail(word, fmt::format("{} is not a statement of an OBJ file", in_quotes(word)));
   }
 
   bool is_continued() const {
@@ -104,7 +104,7 @@ class ObjReader {
     return word == "\\" ? std::string_view() : word;
   }
 
-  // From `i`, `i/t`, `i//n` or `i/t/n`, i counting from 1, or from -1 backwards, to an index into the store.
+  // Converts `i`, `i/t`, `i//n` or `i/t/n` to an index into the store; i counts from 1, or backwards from -1.
   bool read_corner(std::string_view word, std::uint32_t& index) {
     const auto count = static_cast<std::int64_t>((store_.vertices.size() - vertices_before_) / 3);
     std::int64_t value = 0;

@@ -1,4 +1,4 @@
-// PLY, text and binary: the elements `vertex` (x, y, z) and `face` (vertex_indices), others are skipped. The layouts
+// PLY, text and binary: the elements `vertex` (x, y, z) and `face` (vertex_indices); others are skipped. The layouts
 // that nearly all binary files have (float positions; one list of 32-bit indices) are read in bulk.
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
 
-// The place of a byte of a text.
+// The place of a character of a text.
 Place place_in_text(std::string_view text, const char* at) {
   LineCursor cursor(text);
   Line line;
@@ -53,7 +53,7 @@ class PlyBody {
     return false;
   }
 
-  // What is wrong where a number should be.
+  // Reports that a number is missing.
   bool fail_at_number(const PlyElement& element, std::uint64_t i) {
     const char* const at = source_.at();
     if (Source::is_binary || at == bytes_.data() + bytes_.size()) {
@@ -67,7 +67,7 @@ class PlyBody {
     std::size_t least = 0;
     for (const PlyProperty& p : element.properties) least += Source::least_size(p.is_list ? p.count_type : p.type);
     if (least > 0 && element.count > source_.remaining() / least) {
-      return fail(source_.at(), fmt::format("{} elements {} cannot be in the {} bytes that are left", element.count,
+      return fail(source_.at(), fmt::format("{} elements {} do not fit into the remaining {} bytes", element.count,
                                             in_quotes(element.name), source_.remaining()));
     }
     if (element.name == "vertex") return read_vertices(element, least);
@@ -89,7 +89,7 @@ class PlyBody {
     return true;
   }
 
-  // The length of a list; one that cannot be in the file is an error here already.
+  // Reads the length of a list; one that cannot fit into the rest of the file is an error here already.
   bool read_length(const PlyElement& element, PlyType type, std::uint64_t i, std::uint64_t& length) {
     const char* const at = source_.at();
     double value = 0;
@@ -98,7 +98,7 @@ class PlyBody {
       return fail(at, fmt::format("a list cannot have length {}", value));
     if (value > static_cast<double>(source_.remaining())) {
       return fail(
-          at, fmt::format("a list of {} numbers cannot be in the {} bytes that are left", value, source_.remaining()));
+          at, fmt::format("a list of {} numbers does not fit into the remaining {} bytes", value, source_.remaining()));
     }
     length = static_cast<std::uint64_t>(value);
     return true;
@@ -188,7 +188,7 @@ class PlyBody {
     return true;
   }
 
-  // Reads faces as long as each is a triangle with good corners, and tells how many; the long way finds what is wrong.
+  // Reads faces while each is a triangle with valid corners, and returns how many; the general way finds any error.
   std::uint64_t read_triangles_in_bulk(std::uint64_t count) requires Source::is_binary {
     constexpr std::size_t stride = 13;
     count = std::min<std::uint64_t>({count, source_.remaining() / stride, largest_index - store_.triangle_count()});
@@ -258,7 +258,8 @@ std::optional<MeshError> read_ply(std::string_view bytes, const Affine& matrix, 
   PlyHeader header;
   if (std::optional<MeshError> error = read_ply_header(bytes, header)) return error;
   if (header.find("vertex") == nullptr) return mesh_error("this PLY file has no vertices");
-  if (header.find("tristrips") != nullptr) return mesh_error("triangle strips are not read; save the mesh with faces");
+  if (header.find("tristrips") != nullptr)
+    return mesh_error("triangle strips are not supported; save the mesh with faces");
   if (header.find("face") == nullptr) return mesh_error("this mesh has no faces");
   if (header.format == PlyFormat::ascii) {
     return PlyBody(bytes, header, PlyText(bytes, header.size), matrix, store).read();

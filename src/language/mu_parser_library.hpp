@@ -22,7 +22,7 @@ struct MuParserLibrary {
   decltype(&::mupGetErrorToken) mupGetErrorToken;
 };
 
-// The library, which stays loaded. Throws std::runtime_error where it is not installed.
+// The library, which stays loaded. Throws std::runtime_error if it is not installed.
 const MuParserLibrary& mu_parser_library();
 
 }  // namespace penumbra

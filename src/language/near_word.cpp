@@ -9,7 +9,7 @@ constexpr std::size_t longest_word = 64;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// One letter in a short word, one in three of a long one.
+// One letter of a short word, a third of the letters of a long one.
 int largest_distance(std::size_t length) { return std::max(1, static_cast<int>(length / 3)); }
 
 }  // namespace

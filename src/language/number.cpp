@@ -8,7 +8,7 @@
 namespace penumbra::detail {
 namespace {
 
-// Whether a number that no double can hold is too large, rather than too small, to be told from its digits alone.
+// Whether a number outside the range of double is too large rather than too small, judged from its digits alone.
 bool is_huge(const char* first, const char* last) {
   const char* const mantissa_end = std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
   const char* const point = std::find(first, mantissa_end, '.');

@@ -1,6 +1,6 @@
-// Decimal numbers as the scene language and the text mesh formats write them: `2`, `-2`, `+2`, `.5`, `2.`, `1e-3`.
-// The same in every locale. Exactly rounded: a mantissa below 2^53 with a power of ten up to 22 needs one exact
-// operation (Clinger 1990), everything else goes to std::from_chars. `nan`, `inf` and hexadecimal are no numbers.
+// Decimal numbers as the scene language and the text mesh formats write them: `2`, `-2`, `+2`, `.5`, `2.`, `1e-3`. The
+// same in every locale. Correctly rounded: a mantissa up to 2^53 with a power of ten up to 22 needs one operation on
+// exact operands (Clinger 1990); everything else goes to std::from_chars. `nan`, `inf` and hexadecimal are not numbers.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace penumbra {
 
-// Every number has to be finite in single precision, in which the pictures are computed.
+// Every number must be finite in single precision, in which pictures are computed.
 inline constexpr double largest_number = std::numeric_limits<float>::max();
 
 enum class NumberError : std::uint8_t { none, not_a_number, too_large };
 
 struct ParsedNumber {
-  const char* end;    // behind the last character that belongs to the number
-  NumberError error;  // not_a_number if nothing at the start is one
+  const char* end;    // one past the last character of the number
+  NumberError error;  // not_a_number if the text does not start with one
 };
 
 namespace detail {
@@ -39,7 +39,7 @@ inline ParsedNumber parse_number(const char* first, const char* last, double& va
   const char* p = first;
   bool negative = false;
   if (p != last && (*p == '-' || *p == '+')) negative = *p++ == '-';
-  std::uint64_t mantissa = 0;  // wraps for more than 19 digits, which go the long way below
+  std::uint64_t mantissa = 0;  // wraps for more than 19 digits, which take the slow path below
   const char* const whole = p;
   while (p != last && is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
   std::int64_t digits = p - whole;
@@ -71,7 +71,7 @@ inline ParsedNumber parse_number(const char* first, const char* last, double& va
   return {p, detail::exact_number(first, p, value)};
 }
 
-// The same for a whole word: anything behind the number makes it none.
+// The same for a whole word: anything after the number is an error.
 inline NumberError parse_number(std::string_view word, double& value) {
   const ParsedNumber parsed = parse_number(word.data(), word.data() + word.size(), value);
   return parsed.end == word.data() + word.size() ? parsed.error : NumberError::not_a_number;

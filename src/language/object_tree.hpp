@@ -1,4 +1,4 @@
-// The objects of a scene while it is read: the groups that are open, which object is the last one, what has a name.
+// The objects of a scene while it is read: the open groups, the last object, the named objects.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace penumbra {
 
-// A group whose end has not been read. The first one is the scene itself.
+// A group whose end has not been read yet. The first one is the scene itself.
 struct OpenGroup {
   std::vector<Object> objects;
   std::string opener;  // the command that opened it
   Place place;
 
   bool has_last = false;
-  std::uint32_t last_triangles = 0;  // the last polygon's share of the run that is objects.back(); 0 if it is no run
-  int nesting_before_last = 0;       // levels of groups and instances below the objects before the last
+  std::uint32_t last_triangles = 0;  // of the last polygon, in the run objects.back(); 0 if that is not a run
+  int nesting_before_last = 0;       // levels of groups and instances in the objects before the last one
   int nesting_of_last = 0;
 
   int nesting() const { return std::max(nesting_before_last, nesting_of_last); }
@@ -38,18 +38,18 @@ class ObjectTree {
  public:
   ObjectTree() : groups_(1) {}
 
-  // Adds an object that has `nesting` levels of groups and instances in it.
+  // Adds an object that contains `nesting` levels of groups and instances.
   void add(Object object, int nesting = 0);
 
-  // Adds a polygon: the triangles [first, first + count) of the store. It continues the run of the polygon before it
-  // where it can, but remains an object of its own for last_object().
+  // Adds a polygon: the triangles [first, first + count) of the store. It joins the run of the polygon before it if it
+  // can, but remains a separate object for last_object().
   void add_polygon(std::uint32_t first, std::uint32_t count, std::uint32_t surface);
 
   bool has_last() const { return groups_.back().has_last; }
-  // The last object, which must be there, cut off the run of polygons that it may be part of.
+  // The last object, which must exist, split off the run of polygons that it may be part of.
   Object& last_object();
   int nesting_of_last() const { return groups_.back().nesting_of_last; }
-  // Takes the last object, which must be there, out of its group.
+  // Removes the last object, which must exist, from its group.
   Object take_last();
 
   int open_groups() const { return static_cast<int>(groups_.size()) - 1; }
@@ -63,9 +63,9 @@ class ObjectTree {
   Group snapshot() const;
   Group take() { return {std::move(groups_.front().objects)}; }
 
-  // What a snapshot would have to copy.
+  // The number of objects that a snapshot copies.
   std::size_t objects_to_copy() const;
-  // How many objects have ever been added.
+  // How many objects have been added so far.
   std::uint64_t objects_added() const { return objects_added_; }
 
   std::map<std::string, NamedObject, std::less<>> names;

@@ -1,4 +1,4 @@
-// Pictures, files and timers, and the painted rectangles of the 2-D test commands.
+// The commands for pictures, files and timers, and the painted rectangles of the 2-D test commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,9 +22,10 @@ void background(Reading& reading, const Call& call) { reading.builder.change().b
 
 void image_size(Reading& reading, const Call& call) {
   if (call[0] * call[1] > most_pixels) {
-    return reading.diagnostics.error(call.place_of_argument(0),
-                                     fmt::format("a picture of {} x {} pixels is too large; {} pixels are the most",
-                                                 call.whole(0), call.whole(1), most_pixels));
+    return reading.diagnostics.error(
+        call.place_of_argument(0),
+        fmt::format("a picture of {} x {} pixels is too large; at most {} pixels are allowed", call.whole(0),
+                    call.whole(1), most_pixels));
   }
   Scene& scene = reading.builder.change();
   scene.settings.width = call.whole(0);
@@ -37,8 +38,8 @@ void render(Reading& reading, const Call& call) { take_picture(reading, call, {}
 
 void read(Reading& reading, const Call& call) {
   if (reading.open_files.size() >= reading.limits.open_files) {
-    return reading.diagnostics.error(
-        call.place(), fmt::format("files read one another more than {} deep", reading.limits.open_files));
+    return reading.diagnostics.error(call.place(),
+                                     fmt::format("files read each other more than {} deep", reading.limits.open_files));
   }
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;

@@ -48,7 +48,7 @@ class HeaderReader {
       } else if (word == "property") {
         read_property(words);
       } else {
-        fail(word, fmt::format("{} is no line of a PLY header", in_quotes(word)));
+        fail(word, fmt::format("{} is not a line of a PLY header", in_quotes(word)));
       }
     }
     if (!error_) error_ = mesh_error("the header of this PLY file does not end: there is no `end_header`");
@@ -83,7 +83,7 @@ class HeaderReader {
       return fail(words.word[0], "`element` needs a name and a number of elements");
     }
     if (header_.find(element.name) != nullptr) {
-      return fail(words.word[1], fmt::format("the element {} is there twice", in_quotes(element.name)));
+      return fail(words.word[1], fmt::format("the element {} is declared twice", in_quotes(element.name)));
     }
     if (header_.elements.size() >= most_elements) return fail(words.word[0], "there are too many elements");
     header_.elements.push_back(std::move(element));
@@ -95,7 +95,7 @@ class HeaderReader {
       type = named;
       return true;
     }
-    fail(word.empty() ? line_.text : word, fmt::format("{} is no type of a PLY file", in_quotes(word)));
+    fail(word.empty() ? line_.text : word, fmt::format("{} is not a type of a PLY file", in_quotes(word)));
     return false;
   }
 

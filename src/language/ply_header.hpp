@@ -1,4 +1,4 @@
-// The head of a PLY file: which elements it holds, of what they are made, and where the data starts.
+// The header of a PLY file: its elements, their properties, and where the data starts.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ inline bool is_float(PlyType type) { return type == PlyType::float32 || type == 
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;  // of the elements, for a list
+  PlyType type = PlyType::float32;  // for a list, of its elements
   bool is_list = false;
   PlyType count_type = PlyType::uint8;
 };
@@ -33,7 +33,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  // The property of that name; -1 if there is none.
+  // The index of the property of that name; -1 if there is none.
   int find(std::string_view property) const;
 };
 
@@ -45,7 +45,7 @@ struct PlyHeader {
   const PlyElement* find(std::string_view element) const;
 };
 
-// Reads the head of a file that starts with the line `ply`.
+// Reads the header of a file that starts with the line `ply`.
 std::optional<MeshError> read_ply_header(std::string_view bytes, PlyHeader& header);
 
 }  // namespace penumbra

@@ -1,5 +1,5 @@
-// The data of a PLY file as a stream of numbers, from text or from bytes of either order. Both kinds have the same
-// functions, so that one reader serves them all.
+// The data of a PLY file as a stream of numbers, from text or from bytes of either order. Both classes have the same
+// functions, so that one reader serves both.
 #pragma once
 
 #include <bit>
@@ -41,7 +41,7 @@ class PlyBinary {
   bool swapped() const { return swapped_; }
   void advance(std::size_t bytes) { p_ += bytes; }
 
-  // The next number; false at the end of the data.
+  // Reads the next number; false at the end of the data.
   bool read(PlyType type, double& value) {
     if (remaining() < size_of(type)) return false;
     switch (type) {
@@ -98,7 +98,7 @@ class PlyText {
     return p_;
   }
 
-  // The next number; false, standing in front of it, if there is none.
+  // Reads the next number; false if there is none, and then stays in front of what is there instead.
   bool read(PlyType, double& value) {
     skip_blanks();
     const ParsedNumber parsed = parse_number(p_, end_, value);

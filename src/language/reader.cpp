@@ -1,4 +1,4 @@
-// Opens the files of a scene, goes through them, and says at the end what is missing or odd.
+// Opens and reads the files of a scene, and finally reports what is missing or odd.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Place whole_file(std::uint32_t visit) {
   return place;
 }
 
-// Bounds what all files together may cost.
+// Enforces the limits on all files together.
 Complaint count_file(Reading& reading, std::size_t size) {
   reading.reads++;
   reading.bytes += size;
@@ -70,7 +70,7 @@ void report_unused(Reading& reading) {
   }
   if (reading.after_pictures) {
     reading.diagnostics.warning(*reading.after_pictures,
-                                "from here on nothing is in a picture: the last one is taken "
+                                "nothing from here on is in any picture: the last one is taken "
                                 "before this line");
   }
 }
@@ -105,7 +105,7 @@ void finish_reading(Reading& reading) {
 }
 
 void warn_of_empty_picture(Reading& reading, const Place& place) {
-  if (reading.diagnostics.has_error()) return;  // what is missing may be what is wrong
+  if (reading.diagnostics.has_error()) return;  // what is missing may be what has the error
   const Picture& picture = reading.builder.last_picture();
   const bool has_objects = reading.builder.tree().objects_to_copy() > 0;
   if (!has_objects && picture.rects.empty()) reading.diagnostics.warning(place, "there is no object in this picture");

@@ -1,5 +1,5 @@
-// Everything one reading of a scene file works on: what it has found wrong, the scene so far, the files it is in.
-// This is what an action of the command table gets.
+// The state of reading one scene file: the errors found, the scene so far, the open files. Every action of the command
+// table works on it.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace penumbra {
 
-// One file that is being read.
+// A file that is being read.
 struct OpenFile {
   std::filesystem::path path;
   std::string identity;
@@ -43,13 +43,13 @@ struct Reading {
   Expressions expressions;
 
   std::vector<OpenFile> open_files;  // the innermost last
-  std::vector<std::string> files;    // all that were named, each once, as the user would find them
+  std::vector<std::string> files;    // all that were named, each once, by paths that the user can open
   std::size_t reads = 0;
   std::uint64_t bytes = 0;
 
   bool varies = false;                    // an expression was read
-  bool stray_vertex = false;              // a `vertex` outside a polygon was told; those that follow it are not
-  std::uint64_t objects_in_pictures = 0;  // objects that had been added when the last picture was taken
+  bool stray_vertex = false;              // a `vertex` outside a polygon was reported; the next ones are not
+  std::uint64_t objects_in_pictures = 0;  // objects added before the last picture was taken
   std::optional<Place> after_pictures;    // the first object after the last picture
 
   void complain(const Place& place, const Complaint& complaint) {
@@ -57,23 +57,23 @@ struct Reading {
   }
 };
 
-// Does what one line says.
+// Executes one line.
 void interpret_line(Reading& reading, std::uint32_t visit, const Line& line);
 
-// Does what all lines of an open file say.
+// Executes all lines of an open file.
 void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit);
 
-// Warns of a picture, the last one taken, that shows nothing.
+// Warns if the last picture taken has no object or no light.
 void warn_of_empty_picture(Reading& reading, const Place& place);
 
-// Says what is missing or odd at the end of everything, and takes the last picture if the file names none.
+// Reports what is missing or odd once everything is read, and takes a picture if the scene asks for none.
 void finish_reading(Reading& reading);
 
-// Reads a scene with files from `load`; with `text`, that instead of the contents of the first file.
+// Reads a scene whose files come from `load`; if `text` is given, it replaces the contents of the first file.
 SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::string> text,
                           const ReadOptions& options, FileLoader load, const Limits& limits = {});
 
-// Opens a file that a command names; reports at the command if that fails. The file is relative to the innermost one.
+// Opens a file that a command names, by a path relative to the innermost file; reports a failure at the command.
 struct NamedFile {
   std::filesystem::path path;
   LoadedFile loaded;

@@ -71,9 +71,9 @@ its colour. Lens, time, every light and every bounce have their own sample dimen
 )";
 
 constexpr std::string_view about_lights = R"(
-Light does not fall off with distance. The matrix does not move lights. Each shadow ray to a disk light goes to its own
-point, uniform over the disk's area, and the angle at the surface is that to the same point. Both sides of the disk
-shine, and the angle at the disk does not matter. Between its two angles, a spotlight fades as a smoothstep of the
+Light does not fall off with distance. The matrix does not move lights. Each shadow ray to a light with an area goes to
+its own point, uniform over that area, and the angle at the surface is that to the same point. Both sides of the light
+shine, and the angle at the light does not matter. Between its two angles, a spotlight fades as a smoothstep of the
 cosine.
 )";
 

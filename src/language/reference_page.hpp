@@ -1,4 +1,4 @@
-// The reference page of the language, docs/language.md: prose for what holds everywhere, tables from the command table.
+// The reference page of the language, docs/language.md: prose, and tables from the command table.
 #pragma once
 
 #include <string>

@@ -8,7 +8,7 @@
 namespace penumbra {
 namespace {
 
-// How far back an equal surface is looked for.
+// How far back an equal surface is searched for.
 constexpr std::size_t surfaces_to_compare = 8;
 
 bool fits_single_precision(const Affine& m) {

@@ -1,5 +1,5 @@
-// The scene while it is read, and the pictures taken of it. Knows the rules of the language but nothing of text:
-// what goes wrong is told as a sentence, and whoever calls adds the place.
+// The scene while it is read, and the pictures taken of it. Knows the rules of the language but nothing of its text: an
+// error is a sentence to which the caller adds the place.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ class SceneBuilder {
   explicit SceneBuilder(const Limits& limits);
 
   const Scene& scene() const { return scene_; }
-  // The scene, to be changed: pictures already taken keep what they saw.
+  // The scene, for changing: pictures already taken keep it as it was.
   Scene& change();
 
   // The current matrix.
   const Affine& matrix() const { return matrix_; }
   void set_matrix(const Affine& matrix);
-  // Whether a shape can be placed under it.
+  // Why no shape can be placed under it; empty if one can.
   Complaint check_matrix();
   Complaint push(const Place& place);
   Complaint pop();
@@ -39,7 +39,7 @@ class SceneBuilder {
   const Surface& surface() const { return surface_; }
   void set_surface(const Surface& surface);
 
-  // Adds a shape under the current matrix, or as it is; `motion` is in the space of the open group.
+  // Adds a shape under the current matrix, or under none; `motion` is in the space of the open group.
   Complaint add_shape(const Shape& shape, Vec3 motion = {});
   Complaint add_unplaced_shape(const Shape& shape, Vec3 motion = {});
   // Adds the triangles from `first` to the end of the store as one object.
@@ -62,7 +62,7 @@ class SceneBuilder {
   ObjectTree& tree() { return tree_; }
   const ObjectTree& tree() const { return tree_; }
 
-  // What is to be done with the scene.
+  // Pictures, timers and painted rectangles.
   Complaint add_picture(std::string file);
   void add_timer(const Action& action) { actions_.push_back(action); }
   void set_paint(Color color) { paint_ = color; }
@@ -71,7 +71,7 @@ class SceneBuilder {
   std::size_t pictures() const { return pictures_; }
   // The picture taken last; there must be one.
   const Picture& last_picture() const { return std::get<Picture>(actions_[last_picture_]); }
-  // Everything asked for; the builder is empty afterwards.
+  // All pictures and timers, in order; the builder is empty afterwards.
   std::vector<Action> take_actions();
 
  private:
@@ -92,7 +92,7 @@ class SceneBuilder {
   Place polygon_place_;
 
   std::vector<Action> actions_;
-  std::vector<std::size_t> waiting_;  // pictures of the scene as it stands, not copied before it changes
+  std::vector<std::size_t> waiting_;  // pictures of the scene as it stands; it is copied only when it changes
   std::size_t pictures_ = 0;
   std::size_t last_picture_ = 0;
   std::size_t copied_ = 0;

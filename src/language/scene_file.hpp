@@ -1,5 +1,5 @@
-// From `.cli` text to what it asks for: the pictures to render, in the order of the file, each with the scene as it
-// stood at that line. The only door of this room.
+// Reads `.cli` text and returns what it asks for: the pictures to render, in the order of the file, each with the scene
+// as it stood at that line.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct PaintedRect {
 
 // `render`, `write FILE`, or the end of a file that has neither.
 struct Picture {
-  std::string file;  // as written in the scene; empty where it names none
+  std::string file;  // as written in the scene; empty if it names none
   std::shared_ptr<const Scene> scene;
   std::vector<PaintedRect> rects;
 };
@@ -34,15 +34,15 @@ using Action = std::variant<Picture, ResetTimer, PrintTimer>;
 struct SceneFile {
   std::vector<Action> actions;          // empty if there is any error
   std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
-  ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless asked for
-  // All files that were opened, or should have been, each once, as the user would find them.
+  ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless requested
+  // All files that were opened or should have been, each once, by paths that the user can open.
   std::vector<std::string> files;
-  bool varies = false;  // some number is an {expression}: other moments may have other pictures
+  bool varies = false;  // some number is an {expression}: other moments may give other pictures
   bool found = true;    // false: the scene file itself could not be opened
 };
 
-// What numbers written as {expression} know of the time: the number of the frame, and t, which runs from 0 to 1 over
-// the frames of an animation. A scene that is read outside an animation is at the beginning of one.
+// The time, for numbers written as {expression}: the number of the frame, and t, which runs from 0 to 1 over the frames
+// of an animation. Outside an animation, both are 0.
 struct Moment {
   double frame = 0, t = 0;
 };
@@ -50,15 +50,15 @@ struct Moment {
 struct ReadOptions {
   bool course = false;   // spheres and boxes keep radius and axes: only the centre or the corners are transformed
   bool lenient = false;  // commands that only other programs know are skipped with a warning
-  bool hash = false;     // the hash of the files is wanted
-  bool edited = false;   // somebody may rewrite the files meanwhile: large ones are copied, not mapped
+  bool hash = false;     // compute the hash of the files
+  bool edited = false;   // the files may be rewritten meanwhile: large ones are copied, not mapped
   Moment moment = {};
 };
 
-// Reads the file and all that it names. Never throws for what the files contain.
+// Reads the file and all files that it names. Never throws because of their contents.
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options);
 
-// The same for text already in memory; `path` is what errors call it and what relative names start from.
+// The same for text already in memory; errors call it `path`, and relative names start from there.
 SceneFile read_scene_text(std::string text, const std::filesystem::path& path, const ReadOptions& options);
 
 }  // namespace penumbra

@@ -1,4 +1,5 @@
-// The shapes. All follow the full matrix, except that with `--course` spheres and boxes keep their radius and axes.
+// The shape commands. All shapes follow the full matrix, except that with `--course` spheres and boxes keep their
+// radius and axes.
 #include <fmt/format.h>
 
 #include "language/actions.hpp"
@@ -11,7 +12,7 @@ void add_box(Reading& reading, const Call& call, Vec3 a, Vec3 b) {
   reading.complain(call.place(), reading.builder.add_shape(Box{min(a, b), max(a, b)}));
 }
 
-// Adds a shape whose position has been transformed by hand.
+// Adds a shape whose position is already transformed; `a` and `b` bound it.
 void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a, Vec3 b, Vec3 motion) {
   if (!fits_single_precision(a) || !fits_single_precision(b)) {
     return reading.diagnostics.error(call.place(), "the current matrix moves the shape too far away");
@@ -42,7 +43,7 @@ void add_cylinder(Reading& reading, const Call& call, bool capped) {
 void begin(Reading& reading, const Call& call) {
   reading.stray_vertex = false;
   if (reading.builder.in_polygon()) {
-    reading.diagnostics.error(call.place(), fmt::format("`begin` while the polygon begun in line {} is still open",
+    reading.diagnostics.error(call.place(), fmt::format("`begin` while the polygon begun on line {} is still open",
                                                         reading.builder.polygon_place().line));
     reading.builder.triangles().abandon_polygon();
   }

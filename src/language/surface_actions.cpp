@@ -1,4 +1,4 @@
-// The surfaces: each replaces the current one, and its texture.
+// The surface commands: each replaces the current surface, texture included. Texture commands only add to it.
 #include "language/actions.hpp"
 
 namespace penumbra::actions {

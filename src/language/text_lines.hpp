@@ -1,5 +1,5 @@
-// A text cut into lines and words without copying anything: the words are views of the file's bytes.
-// A `#` ends the line for words wherever it stands; tabs and carriage returns are blanks.
+// Cuts a text into lines and words without copying: the words are views of the file's bytes. A `#` anywhere in a line
+// ends its words; tabs and carriage returns are blanks.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ struct Line {
   std::string_view text;
   std::int64_t number = 0;
 
-  // Where a part of this line stands, in bytes from 1.
+  // The column of a part of this line, in bytes from 1.
   std::size_t column_of(std::string_view part) const { return static_cast<std::size_t>(part.data() - text.data()) + 1; }
 };
 
-// Walks over the lines of a text; a byte-order mark at its start belongs to none of them.
+// Walks over the lines of a text; a byte-order mark at its start is skipped.
 class LineCursor {
  public:
   explicit LineCursor(std::string_view text) : next_(text.data()), end_(text.data() + text.size()) {
@@ -59,8 +59,8 @@ inline std::string_view take_word(std::string_view& rest) {
   return {first, length};
 }
 
-// The same, but what begins with a brace goes on, blanks and all, to the brace that closes it and what is joined to
-// that; to the end of the line if none does.
+// The same, but a word that begins with a brace extends, blanks included, to the closing brace and whatever is attached
+// to that; to the end of the line if there is none.
 inline std::string_view take_argument(std::string_view& rest) {
   while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
   if (rest.empty() || rest.front() != '{') return take_word(rest);
@@ -73,7 +73,7 @@ inline std::string_view take_argument(std::string_view& rest) {
   return text.substr(0, length);
 }
 
-// The words of a line. Those behind the last that is kept are only counted.
+// The words of a line. Those beyond `most` are only counted.
 struct Words {
   static constexpr int most = 16;
   std::array<std::string_view, most> word;

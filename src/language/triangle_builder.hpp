@@ -1,5 +1,5 @@
-// Fills the triangle store of a scene: polygons vertex by vertex, and room for whole meshes.
-// Memory grows by what the part of the file that is still unread will probably need, not by doubling.
+// Fills the triangle store of a scene: polygons vertex by vertex, and room for whole meshes. Memory grows by what the
+// unread part of the file will probably need, not by doubling.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace penumbra {
 
-// How much of the file that is being read is done, in bytes.
+// How much of the current file has been read, in bytes.
 struct ReadProgress {
   std::size_t done = 0;
   std::size_t total = 0;
 };
 
-// Makes room for `extra` more elements, and for those that the rest of the file will bring if it goes on like the part
-// already read, in which the vector grew from `size_at_start`.
+// Makes room for `extra` more elements, and for those that the rest of the file adds if it is like the part already
+// read, in which the vector grew from `size_at_start`.
 template <class T>
 void make_room(ZeroedVector<T>& vector, std::size_t extra, const ReadProgress& progress, std::size_t size_at_start) {
   const std::size_t needed = vector.size() + extra;
@@ -48,14 +48,14 @@ class TriangleBuilder {
   const std::shared_ptr<TriangleStore>& store() const { return store_; }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(store_->triangle_count()); }
 
-  // A new file begins, or an outer one goes on.
+  // A new file begins, or an outer one resumes.
   void start_file(const ReadProgress& progress);
   ReadProgress& progress() { return progress_; }
 
   bool in_polygon() const { return in_polygon_; }
   void begin_polygon();
   void abandon_polygon();
-  // Adds a corner. False if it does not fit single precision, or the store is full.
+  // Adds a corner. False if it does not fit single precision.
   bool add_vertex(Vec3 position) {
     if (!fits_single_precision(position)) return false;
     ZeroedVector<float>& vertices = store_->vertices;
@@ -66,9 +66,9 @@ class TriangleBuilder {
     return true;
   }
   std::uint64_t polygon_vertices() const { return (store_->vertices.size() - polygon_start_) / 3; }
-  // Splits the open polygon, which has at least three corners, as a fan; the number of triangles, or 0 if the store is
-  // full. Under a matrix that mirrors, the corners are taken in the other order, so that the outward side stays
-  // outside.
+  // Splits the open polygon, which has at least three corners, as a fan. Returns the number of triangles, or 0 if the
+  // store is full. With `mirrored`, for a matrix that mirrors, the winding is reversed, which keeps the outward side
+  // outward.
   std::uint32_t end_polygon(bool mirrored);
 
  private:

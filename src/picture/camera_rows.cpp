@@ -1,5 +1,6 @@
 // The camera and its time, and what is kept of the picture.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ PictureOption crop() {
     if (n.size() != 4 || n[0] < 0 || n[1] < 0 || n[2] <= n[0] || n[3] <= n[1]) {
       return expected(text, "x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1, half open, from the top left");
     }
-    options.crop = Crop{n[0], n[1], n[2], n[3]};
+    options.crop = PixelRect{n[0], n[1], n[2], n[3]};
     return std::string();
   };
   row.words = [](const Options& options, const Settings&) {
@@ -197,9 +198,12 @@ PictureOption exposure() {
 }
 
 PictureOption aov() {
-  PictureOption row{
-      "aov", "LAYERS", "More layers for an EXR: depth,normal,albedo,variance,samples [none]", "", OptionUse::sums_only,
-      true};
+  PictureOption row{"aov",
+                    "LAYERS",
+                    fmt::format("More layers for an EXR: {} [none]", fmt::join(layer_names, ",")),
+                    "",
+                    OptionUse::sums_only,
+                    true};
   row.parse = [](Options& options, std::string_view text) {
     return add_layer(options.layers, text) ? std::string() : unknown("layer", text, listed(layer_names));
   };

@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "base/archive.hpp"
-#include "image/limits.hpp"
 #include "picture/picture_options.hpp"
 
 namespace penumbra {
@@ -11,8 +10,8 @@ namespace {
 
 constexpr std::int64_t farthest_pixel = 1 << 30;
 
-template <class Archive, class Self>
-void exchange(Archive& archive, Self& development) {
+template <class Archive>
+void serialize(Archive& archive, Archived<Archive, Development>& development) {
   archive(development.full_width);
   archive(development.full_height);
   archive.list(development.rects, [](auto& out, auto& rect) {
@@ -25,11 +24,9 @@ void exchange(Archive& archive, Self& development) {
   });
   archive(development.exposure_halves);
   archive(development.bits);
-  bool as_course = development.rounding == Rounding::course;
-  archive(as_course);
+  serialize_enum(archive, development.rounding, Rounding::course);
   if constexpr (Archive::reads) {
-    development.rounding = as_course ? Rounding::course : Rounding::nearest;
-    const auto is_size = [](int side) { return side >= 1 && side <= largest_image_side; };
+    const auto is_size = [](int side) { return side >= 1 && side <= most_side; };
     if (!is_size(development.full_width) || !is_size(development.full_height)) {
       throw ArchiveError("there is no such size");
     }
@@ -49,14 +46,14 @@ void exchange(Archive& archive, Self& development) {
 
 std::string to_bytes(const Development& development) {
   ArchiveWriter archive;
-  exchange(archive, development);
+  serialize(archive, development);
   return {reinterpret_cast<const char*>(archive.bytes().data()), archive.bytes().size()};
 }
 
 Development development_from(const std::string& bytes) {
   Development development;
   ArchiveReader archive(std::as_bytes(std::span(bytes)));
-  exchange(archive, development);
+  serialize(archive, development);
   if (!archive.at_end()) throw ArchiveError("there is more in it than there should be");
   return development;
 }

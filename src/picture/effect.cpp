@@ -59,7 +59,9 @@ void leave_out(Scene& scene, Effects effects) {
   if (effects.has(Effect::antialiasing)) scene.settings.antialiasing = false;
   if (effects.has(Effect::lens)) camera.lens_radius = 0;
   if (effects.has(Effect::motion)) camera.shutter_close = camera.shutter_open;
-  if (effects.has(Effect::disk_lights)) set_disk_radius(scene, none);
+  if (effects.has(Effect::disk_lights)) {
+    for (Light& light : scene.lights) light = std::visit([](const auto& l) { return without_area(l); }, light);
+  }
   if (effects.has(Effect::gloss)) set_gloss(scene, none);
   if (effects.has(Effect::translucency)) set_blur(scene, none);
 }

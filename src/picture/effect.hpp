@@ -16,7 +16,7 @@ enum class Effect : std::uint8_t {
   antialiasing,  // without: every ray goes through the same place of its pixel
   lens,          // without: a pinhole
   motion,        // without: the shutter stays at the moment when it opens
-  disk_lights,   // without: their centres alone shine
+  disk_lights,   // without: the centres alone of all lights with an area shine
   gloss,         // without: mirrors reflect sharply
   translucency   // without: what is transmitted is sharp
 };

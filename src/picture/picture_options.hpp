@@ -22,7 +22,7 @@ struct PictureOptions {
   std::optional<int> reflection_rays, transmission_rays, shadow_rays;
   std::optional<Pattern> sampler;
   std::optional<std::uint32_t> seed;
-  std::optional<Crop> crop;
+  std::optional<PixelRect> crop;
   std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;

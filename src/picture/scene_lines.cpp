@@ -80,6 +80,10 @@ std::string surface_lines(const Scene& before, const Scene& after) {
 std::string light_lines(const Scene& before, const Scene& after) {
   std::string text;
   for (std::size_t i = 0; i < after.lights.size(); i++) {
+    const auto* point = std::get_if<PointLight>(&after.lights[i]);
+    if (point && !std::holds_alternative<PointLight>(before.lights[i])) {
+      text += fmt::format("point_light {} {}\n", words(point->position), words(point->color));
+    }
     const auto* now = std::get_if<DiskLight>(&after.lights[i]);
     const auto* then = std::get_if<DiskLight>(&before.lights[i]);
     if (!now || !then || now->radius == then->radius) continue;

@@ -17,11 +17,6 @@ namespace penumbra {
 
 inline constexpr std::uint32_t fewest_adaptive_rays = 4;  // the smallest `most_rays` there is
 
-struct AdaptiveResult {
-  RayCounts rays;
-  std::uint64_t unfinished_pixels = 0;  // those that got the most rays and would have had more
-};
-
 // The film comes out the same for all threads, kernels, crops and sittings.
 class AdaptiveRender : public ResumableRender {
  public:
@@ -48,32 +43,27 @@ class AdaptiveRender : public ResumableRender {
     std::uint16_t unfinished = 0;                // of its pixels
     std::unique_ptr<TileRefinement> refinement;  // while it is refining
   };
-  // What each thread has to itself.
-  struct Thread;
 
-  template <class Archive, class Self>
-  static void exchange(Archive& archive, Self& self, int index);
-  template <class Work>
-  RayCounts for_tiles(RenderState& state, const Work& work);
+  template <class Archive>
+  static void serialize_tile(Archive& archive, Archived<Archive, AdaptiveRender>& render, int index);
   template <class Visit>
   void for_needed(int tile, const Visit& visit) const;
   template <class Property, class Samples>
   std::uint64_t sum_of(const Property& property, const Samples& samples) const;
 
-  void render_first(int index, Thread& thread, RenderState& state);
-  void render_first(const Crop& pixels, Thread& thread, const RenderState& state);
-  void refine(int index, Thread& thread, RenderState& state);
+  void render_first(int index, const ChunkRenderer& renderer);
+  void render_first(const PixelRect& pixels, const ChunkRenderer& renderer);
+  void refine(int index, const ChunkRenderer& renderer);
 
   Stage stage_of(int tile) const { return tiles_[static_cast<std::size_t>(tile)].stage; }
   bool is_wanted(int column, int row) const;
   bool is_wanted(int tile) const;
-  std::size_t pixel_at(int x, int y) const;
   std::uint64_t samples_of_first_round(int tile) const;
   std::uint64_t expected_samples(int tile) const;
 
   Plan plan_;
-  Crop wanted_;    // the whole tiles that cover the plan's crop
-  TileGrid grid_;  // of these tiles and what they see around them
+  PixelRect wanted_;  // the whole tiles that cover the plan's crop
+  TileGrid grid_;     // of these tiles and what they see around them
   Film film_;
   const Frame& frame_;
   const Kernel& kernel_;
@@ -81,10 +71,5 @@ class AdaptiveRender : public ResumableRender {
   ZeroedVector<PixelNoise> noise_;  // after the first round, for all pixels of the film
   std::vector<Tile> tiles_;
 };
-
-// The same in one go. Fills the film, which must be new and have counts of its own for each pixel. If it was stopped,
-// it is incomplete.
-AdaptiveResult render_adaptive(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan,
-                               const NoiseGoal& goal, RenderState& state);
 
 }  // namespace penumbra

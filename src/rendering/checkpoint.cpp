@@ -11,9 +11,9 @@
 namespace penumbra {
 namespace {
 
-template <class Archive, class Key, class SpentSoFar>
-void exchange_head(Archive& archive, Key& key, SpentSoFar& spent) {
-  exchange_key(archive, key);
+template <class Archive>
+void serialize_head(Archive& archive, Archived<Archive, PictureKey>& key, Archived<Archive, Spent>& spent) {
+  serialize(archive, key);
   for (auto& count : spent.rays.counts) archive(count);
   archive(spent.seconds);
 }
@@ -23,7 +23,7 @@ void exchange_head(Archive& archive, Key& key, SpentSoFar& spent) {
 std::vector<std::byte> encode_checkpoint(const PictureKey& key, const Spent& spent, const ResumableRender& render) {
   SealedWriter file(FileKind::checkpoint);
   ArchiveWriter block;
-  exchange_head(block, key, spent);
+  serialize_head(block, key, spent);
   file.add(block.bytes());
   for (int tile = 0; tile < render.grid().count(); tile++) {
     if (!render.has_begun(tile)) continue;
@@ -38,25 +38,16 @@ std::vector<std::byte> encode_checkpoint(const PictureKey& key, const Spent& spe
 Checkpoint::Checkpoint(std::vector<std::byte> bytes, std::string name)
     : bytes_(std::move(bytes)), name_(std::move(name)) {
   SealedReader file(bytes_, FileKind::checkpoint, name_);
-  file.read(file.next(), [this](ArchiveReader& archive) { exchange_head(archive, key_, spent_); });
+  file.read(file.next(), [this](ArchiveReader& archive) { serialize_head(archive, key_, spent_); });
   while (!file.next().empty()) {
   }
 }
 
 void Checkpoint::require(const PictureKey& key) const {
-  const std::optional<KeyDifference> differs = difference(key_, key);
-  if (!differs) return;
-  const auto refuse = [this](const std::string& why) {
+  const std::string why = difference(key_, key);
+  if (!why.empty()) {
     throw FileError(EX_DATAERR, fmt::format("`{}` is the checkpoint of another render: {}", name_, why));
-  };
-  if (differs->name == "version") {
-    refuse(fmt::format("penumbra {} wrote it, and this is {}", differs->here, differs->there));
   }
-  if (differs->name == "scene") refuse("the scene, or a file that it reads, is not the same");
-  if (differs->name == "picture") {
-    refuse(fmt::format("it is of picture {} of the scene, not of {}", differs->here, differs->there));
-  }
-  refuse(fmt::format("its `{}` is {}, and {} here", differs->name, differs->here, differs->there));
 }
 
 void Checkpoint::restore(ResumableRender& render) const {

@@ -3,56 +3,28 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <span>
 
 namespace penumbra {
-namespace {
-
-// Calls `visit(values)` for each row of the pixels `part` in a plane that stands row by row over the window `whole`.
-template <class Plane, class Visit>
-void for_rows(Plane& plane, const Crop& whole, const Crop& part, const Visit& visit) {
-  const std::size_t pixels = static_cast<std::size_t>(whole.width()) * static_cast<std::size_t>(whole.height());
-  const std::size_t channels = plane.size() / pixels;
-  for (int y = part.y0; y < part.y1; y++) {
-    const std::size_t pixel = static_cast<std::size_t>(y - whole.y0) * static_cast<std::size_t>(whole.width()) +
-                              static_cast<std::size_t>(part.x0 - whole.x0);
-    visit(std::span(plane).subspan(channels * pixel, channels * static_cast<std::size_t>(part.width())));
-  }
-}
-
-}  // namespace
 
 template <class Self, class Visit>
-void Film::for_planes(Self& self, const Visit& visit) {
-  visit(self.color_);
-  visit(self.squares_);
-  visit(self.depth_);
-  visit(self.normal_);
-  visit(self.albedo_);
-  visit(self.pixel_samples_);
-  visit(self.variance_);
+void Film::for_rows(Self& self, const PixelRect& part, const Visit& visit) {
+  const auto visit_rows = [&](auto& plane) {
+    const std::size_t per_pixel = plane.size() / self.crop_.pixel_count();
+    for (int y = part.y0; y < part.y1; y++) {
+      const std::size_t first = self.crop_.index_of(part.x0, y);
+      visit(std::span(plane).subspan(per_pixel * first, per_pixel * static_cast<std::size_t>(part.width())));
+    }
+  };
+  for (auto& plane : self.sums_) visit_rows(plane);
+  visit_rows(self.pixel_samples_);
 }
 
-Film::Film(const Crop& crop, const Layers& layers, SampleCounts counts)
-    : crop_(crop), layers_(layers), counts_(counts) {
-  const std::size_t pixels = pixel_count();
-  const bool own_counts = counts == SampleCounts::per_pixel;
-  color_.resize(3 * pixels);
-  if (layers.variance && !own_counts) squares_.resize(3 * pixels);
-  if (layers.variance && own_counts) variance_.resize(3 * pixels);
-  if (layers.depth) depth_.resize(2 * pixels);
-  if (layers.normal) normal_.resize(3 * pixels);
-  if (layers.albedo) albedo_.resize(3 * pixels);
-  pixel_samples_.resize(pixels);
-}
-
-std::size_t Film::pixel_count() const {
-  return static_cast<std::size_t>(crop_.width()) * static_cast<std::size_t>(crop_.height());
-}
-
-std::size_t Film::pixel_at(int x, int y) const {
-  return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.width()) +
-         static_cast<std::size_t>(x - crop_.x0);
+Film::Film(const PixelRect& crop, const Layers& layers, SampleCounts counts)
+    : crop_(crop), layers_(layers), counts_(counts), pixel_samples_(crop.pixel_count()) {
+  for (const LayerRow& row : layer_table) {
+    const auto sums = static_cast<std::size_t>(row.sums());
+    if (layers.has(row.layer)) sums_[index_of(row.layer)].resize(sums * crop.pixel_count());
+  }
 }
 
 std::uint32_t Film::samples() const { return *std::min_element(pixel_samples_.begin(), pixel_samples_.end()); }
@@ -61,53 +33,78 @@ std::uint64_t Film::total_samples() const {
   return std::accumulate(pixel_samples_.begin(), pixel_samples_.end(), std::uint64_t{0});
 }
 
-void Film::set_samples(std::span<const PixelPlace> pixels, std::uint32_t count) {
-  for (const PixelPlace& p : pixels) pixel_samples_[pixel_at(static_cast<int>(p.x), static_cast<int>(p.y))] = count;
+void Film::set_samples(std::span<const Pixel> pixels, std::uint32_t count) {
+  for (const Pixel pixel : pixels) pixel_samples_[crop_.index_of(pixel)] = count;
 }
 
 void Film::set_variance(int x, int y, const std::array<float, 3>& rgb) {
-  if (!variance_.empty()) std::copy_n(rgb.data(), 3, &variance_[3 * pixel_at(x, y)]);
+  auto& plane = sums_[index_of(Layer::variance)];
+  if (!plane.empty()) std::copy_n(rgb.data(), 3, &plane[3 * crop_.index_of(x, y)]);
 }
 
 FilmView Film::view() {
-  const auto plane = [](ZeroedVector<double>& v) { return v.empty() ? nullptr : v.data(); };
-  return {plane(color_),  plane(squares_), plane(depth_), plane(normal_),
-          plane(albedo_), crop_.x0,        crop_.y0,      crop_.width()};
+  FilmView view;
+  view.pixels = crop_;
+  for (const LayerRow& row : layer_table) {
+    // The squares of the samples do not tell the variance where each pixel has its own number of them.
+    if (row.layer == Layer::variance && counts_ == SampleCounts::per_pixel) continue;
+    ZeroedVector<double>& plane = sums_[index_of(row.layer)];
+    if (!plane.empty()) view.add({row.layer, row.sums(), plane.data()});
+  }
+  return view;
 }
 
-Film Film::cut(const Crop& crop) const {
+Film Film::cut(const PixelRect& crop) const {
   Film part(crop, layers_, counts_);
-  ArchiveWriter writer;
-  write(writer, crop);
-  ArchiveReader reader(writer.bytes());
-  part.read(reader, crop);
+  const auto copy = [&](const auto& whole, auto& piece) {
+    const std::size_t per_pixel = piece.size() / crop.pixel_count();
+    for (int y = crop.y0; y < crop.y1; y++) {
+      const auto from = whole.begin() + static_cast<std::ptrdiff_t>(per_pixel * crop_.index_of(crop.x0, y));
+      const auto to = piece.begin() + static_cast<std::ptrdiff_t>(per_pixel * crop.index_of(crop.x0, y));
+      std::copy_n(from, per_pixel * static_cast<std::size_t>(crop.width()), to);
+    }
+  };
+  for (std::size_t i = 0; i < layer_count; i++) copy(sums_[i], part.sums_[i]);
+  copy(pixel_samples_, part.pixel_samples_);
   return part;
 }
 
-void Film::write(ArchiveWriter& archive, const Crop& part) const {
-  for_planes(*this,
-             [&](const auto& plane) { for_rows(plane, crop_, part, [&archive](auto row) { archive.numbers(row); }); });
+void Film::write(ArchiveWriter& archive, const PixelRect& part) const {
+  for_rows(*this, part, [&archive](auto row) { archive.numbers(row); });
 }
 
-void Film::read(ArchiveReader& archive, const Crop& part) {
-  for_planes(*this, [&](auto& plane) { for_rows(plane, crop_, part, [&archive](auto row) { archive.numbers(row); }); });
+void Film::read(ArchiveReader& archive, const PixelRect& part) {
+  for_rows(*this, part, [&archive](auto row) { archive.numbers(row); });
 }
 
-void Film::clear(const Crop& part) {
-  for_planes(*this, [&](auto& plane) {
-    for_rows(plane, crop_, part, [](auto row) { std::fill(row.begin(), row.end(), 0); });
-  });
+void Film::clear(const PixelRect& part) {
+  for_rows(*this, part, [](auto row) { std::fill(row.begin(), row.end(), 0); });
 }
 
-std::size_t Film::bytes_per_pixel(const Layers& layers, SampleCounts counts) {
-  const bool own_counts = counts == SampleCounts::per_pixel;
-  const int sums = 3 + (layers.variance && !own_counts ? 3 : 0) + (layers.depth ? 2 : 0) + (layers.normal ? 3 : 0) +
-                   (layers.albedo ? 3 : 0);
-  return static_cast<std::size_t>(sums) * sizeof(double) + sizeof(std::uint32_t) +
-         (layers.variance && own_counts ? 3 * sizeof(float) : 0);
+std::size_t Film::bytes_per_pixel(const Layers& layers) {
+  std::size_t bytes = sizeof(std::uint32_t);
+  for (const LayerRow& row : layer_table) {
+    if (layers.has(row.layer)) bytes += static_cast<std::size_t>(row.sums()) * sizeof(double);
+  }
+  return bytes;
 }
 
-ZeroedVector<float> Film::means(const ZeroedVector<double>& sums) const {
+ZeroedVector<float> Film::layer(Layer layer) const {
+  switch (row_of(layer).value) {
+    case LayerValue::mean:
+      return means(layer);
+    case LayerValue::mean_of_hits:
+      return means_of_hits(layer);
+    case LayerValue::variance_of_mean:
+      return variances();
+    case LayerValue::sample_count:
+      break;
+  }
+  return {pixel_samples_.begin(), pixel_samples_.end()};
+}
+
+ZeroedVector<float> Film::means(Layer layer) const {
+  const ZeroedVector<double>& sums = sums_of(layer);
   ZeroedVector<float> result(sums.size());
   const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
   if (*fewest == *most) {  // which is several times faster
@@ -115,37 +112,43 @@ ZeroedVector<float> Film::means(const ZeroedVector<double>& sums) const {
     for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
     return result;
   }
+  const std::size_t channels = row_of(layer).channels.size();
   for (std::size_t i = 0; i < sums.size(); i++) {
-    result[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / 3], 1u));
+    result[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / channels], 1u));
   }
   return result;
 }
 
-ZeroedVector<float> Film::color() const { return means(color_); }
-ZeroedVector<float> Film::normal() const { return means(normal_); }
-ZeroedVector<float> Film::albedo() const { return means(albedo_); }
-
-ZeroedVector<float> Film::depth() const {
-  ZeroedVector<float> result(depth_.size() / 2);
-  for (std::size_t i = 0; i < result.size(); i++) {
-    const double hits = depth_[2 * i + 1];
-    result[i] = hits > 0 ? static_cast<float>(depth_[2 * i] / hits) : std::numeric_limits<float>::infinity();
+ZeroedVector<float> Film::means_of_hits(Layer layer) const {
+  const ZeroedVector<double>& sums = sums_of(layer);
+  const std::size_t channels = row_of(layer).channels.size();
+  ZeroedVector<float> result(pixel_samples_.size() * channels);
+  for (std::size_t pixel = 0; pixel < pixel_samples_.size(); pixel++) {
+    const double* const of_pixel = &sums[pixel * (channels + 1)];
+    const double hits = of_pixel[channels];
+    for (std::size_t c = 0; c < channels; c++) {
+      result[pixel * channels + c] =
+          hits > 0 ? static_cast<float>(of_pixel[c] / hits) : std::numeric_limits<float>::infinity();
+    }
   }
   return result;
 }
 
-ZeroedVector<float> Film::variance() const {
-  if (counts_ == SampleCounts::per_pixel) return {variance_.begin(), variance_.end()};
-  ZeroedVector<float> result(squares_.size());
+ZeroedVector<float> Film::variances() const {
+  const ZeroedVector<double>&colors = sums_of(Layer::color), &squares = sums_of(Layer::variance);
+  if (counts_ == SampleCounts::per_pixel) return {squares.begin(), squares.end()};
+  ZeroedVector<float> result(squares.size());
   for (std::size_t i = 0; i < result.size(); i++) {
     const double n = pixel_samples_[i / 3];
     if (n < 2) continue;
-    const double of_samples = std::max(squares_[i] - color_[i] * color_[i] / n, 0.0) / (n - 1);
+    const double of_samples = std::max(squares[i] - colors[i] * colors[i] / n, 0.0) / (n - 1);
     result[i] = static_cast<float>(of_samples / n);
   }
   return result;
 }
 
-ZeroedVector<float> Film::pixel_samples() const { return {pixel_samples_.begin(), pixel_samples_.end()}; }
+void Film::forget(Layer layer) {
+  ZeroedVector<double>().swap(sums_[index_of(layer)]);  // the assignment of an empty list would keep the memory
+}
 
 }  // namespace penumbra

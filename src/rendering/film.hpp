@@ -1,13 +1,12 @@
 // The sums of all samples so far, for every pixel of a crop, and how many these are. Sums are exact
-// (tracing/film_view.hpp), so that a film does not tell in which order, by how many threads or in how many sittings its
-// samples came.
+// (tracing/film_packet.hpp), so that a film does not tell in which order, by how many threads or in how many sittings
+// its samples came.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/archive.hpp"
 #include "base/zeroed_pages.hpp"
@@ -18,16 +17,17 @@ namespace penumbra {
 
 class Film {
  public:
-  Film(const Crop& crop, const Layers& layers, SampleCounts counts = SampleCounts::uniform);
+  Film(const PixelRect& crop, const Layers& layers, SampleCounts counts = SampleCounts::uniform);
 
-  const Crop& crop() const { return crop_; }
+  const PixelRect& crop() const { return crop_; }
   const Layers& layers() const { return layers_; }
-
   SampleCounts counts() const { return counts_; }
 
   // Whoever adds samples says so, pixel by pixel.
-  std::uint32_t samples_at(int x, int y) const { return pixel_samples_[pixel_at(x, y)]; }
-  void set_samples(std::span<const PixelPlace> pixels, std::uint32_t count);
+  std::uint32_t samples_at(int x, int y) const { return pixel_samples_[crop_.index_of(x, y)]; }
+  std::uint32_t samples_at(Pixel pixel) const { return pixel_samples_[crop_.index_of(pixel)]; }
+  void set_samples(std::span<const Pixel> pixels, std::uint32_t count);
+  // Where each pixel has its own number of samples; does nothing without that layer.
   void set_variance(int x, int y, const std::array<float, 3>& rgb);
 
   std::uint32_t samples() const;        // of the pixel that has the fewest
@@ -37,48 +37,38 @@ class Film {
   FilmView view();
 
   // The pixels of `crop`, which lies inside this film's.
-  Film cut(const Crop& crop) const;
+  Film cut(const PixelRect& crop) const;
 
   // All that there is of the pixels of `part`, which lies inside the film's crop.
-  void write(ArchiveWriter& archive, const Crop& part) const;
-  void read(ArchiveReader& archive, const Crop& part);
-  static std::size_t bytes_per_pixel(const Layers& layers, SampleCounts counts);  // of that
+  void write(ArchiveWriter& archive, const PixelRect& part) const;
+  void read(ArchiveReader& archive, const PixelRect& part);
+  static std::size_t bytes_per_pixel(const Layers& layers);  // of that
 
   // Takes the samples of these pixels out again.
-  void clear(const Crop& part);
+  void clear(const PixelRect& part);
 
-  // Means over each pixel's samples so far, row by row from the top left of the crop; 0 where there are none.
-  ZeroedVector<float> color() const;          // r, g, b
-  ZeroedVector<float> depth() const;          // along the view; infinity where nothing was hit
-  ZeroedVector<float> normal() const;         // x, y, z
-  ZeroedVector<float> albedo() const;         // r, g, b
-  ZeroedVector<float> variance() const;       // estimated variance of the pixel's mean: r, g, b; 0 below two samples
-  ZeroedVector<float> pixel_samples() const;  // how many each pixel has
+  // The numbers of a layer (tracing/layers.hpp), of each pixel's samples so far, row by row from the top left of the
+  // crop. The film must have the layer; the colour and the number of samples every film has.
+  ZeroedVector<float> layer(Layer layer) const;
+  ZeroedVector<float> color() const { return layer(Layer::color); }
 
   // Frees the sums of a layer, which cannot be asked for after that. Colours go last: the variance needs them too.
-  void forget_depth() { free_plane(depth_); }
-  void forget_normal() { free_plane(normal_); }
-  void forget_albedo() { free_plane(albedo_); }
-  void forget_variance() { free_plane(squares_), free_plane(variance_); }
+  void forget(Layer layer);
 
  private:
-  std::size_t pixel_count() const;
-  std::size_t pixel_at(int x, int y) const;
-  ZeroedVector<float> means(const ZeroedVector<double>& sums) const;
-  template <class Plane>
-  static void free_plane(Plane& plane) {
-    Plane().swap(plane);  // the assignment of an empty list would keep the memory
-  }
-  // Calls `visit(plane)` for each plane of numbers that there is.
+  const ZeroedVector<double>& sums_of(Layer layer) const { return sums_[index_of(layer)]; }
+  ZeroedVector<float> means(Layer layer) const;
+  ZeroedVector<float> means_of_hits(Layer layer) const;
+  ZeroedVector<float> variances() const;
+  // Calls `visit(values)` for each row of the pixels of `part` in each plane of numbers that there is.
   template <class Self, class Visit>
-  static void for_planes(Self& self, const Visit& visit);
+  static void for_rows(Self& self, const PixelRect& part, const Visit& visit);
 
-  Crop crop_;
+  PixelRect crop_;
   Layers layers_;
   SampleCounts counts_;
-  ZeroedVector<double> color_, squares_, depth_, normal_, albedo_;
+  std::array<ZeroedVector<double>, layer_count> sums_;  // where counts are per pixel, the variance itself
   ZeroedVector<std::uint32_t> pixel_samples_;
-  ZeroedVector<float> variance_;
 };
 
 }  // namespace penumbra

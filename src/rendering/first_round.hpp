@@ -2,8 +2,6 @@
 // pixels that a tile asked for can see.
 #pragma once
 
-#include <algorithm>
-
 #include "rendering/noise_estimate.hpp"
 #include "rendering/tile_grid.hpp"
 
@@ -12,7 +10,7 @@ namespace penumbra {
 // Calls `visit(pixels)` for parts of a tile that do not overlap. `is_wanted(column, row)` tells whether the tile there,
 // counted from the picture's top left, is asked for; no tile outside the picture is.
 template <class IsWanted, class Visit>
-void for_first_round(const Crop& tile, const IsWanted& is_wanted, const Visit& visit) {
+void for_first_round(const PixelRect& tile, const IsWanted& is_wanted, const Visit& visit) {
   const int column = tile.x0 / noise_tile_size, row = tile.y0 / noise_tile_size;
   if (is_wanted(column, row)) {
     visit(tile);
@@ -30,8 +28,7 @@ void for_first_round(const Crop& tile, const IsWanted& is_wanted, const Visit& v
       const int dx = cx - 1, dy = cy - 1;
       const bool seen = (dx != 0 && is_wanted(column + dx, row)) || (dy != 0 && is_wanted(column, row + dy)) ||
                         (dx != 0 && dy != 0 && is_wanted(column + dx, row + dy));
-      const Crop cell{std::max(cut(column, cx), tile.x0), std::max(cut(row, cy), tile.y0),
-                      std::min(cut(column, cx + 1), tile.x1), std::min(cut(row, cy + 1), tile.y1)};
+      const PixelRect cell = intersection({cut(column, cx), cut(row, cy), cut(column, cx + 1), cut(row, cy + 1)}, tile);
       if (seen && cell.x0 < cell.x1 && cell.y0 < cell.y1) visit(cell);
     }
   }

@@ -36,8 +36,8 @@ struct VarianceRate {
 
   // The mean of a pixel and those next to it, had they as many samples.
   template <class Part>
-  float smooth_variance(const NoiseWindow& window, std::size_t place, const Part& part) const {
-    const PixelNoise* own = &window[place];
+  float smooth_variance(const NoiseWindow& window, std::size_t index, const Part& part) const {
+    const PixelNoise* own = &window[index];
     float sum = 0, weights = 0;
     for (int dy = -1; dy <= 1; dy++) {
       for (int dx = -1; dx <= 1; dx++) {
@@ -139,17 +139,17 @@ WindowNumbers observed_rates(const NoiseWindow& window, const NoiseRates& rates)
   return result;
 }
 
-float squared_error(const NoiseWindow& window, std::size_t place, float rate) {
+float squared_error(const NoiseWindow& window, std::size_t index, float rate) {
   const VarianceRate at(rate);
   const auto clamped = [](const SquaredDifference& difference) { return difference.clamped; };
-  return std::max(at.smooth_variance(window, place, clamped), own_share * at.own_variance(window[place], clamped));
+  return std::max(at.smooth_variance(window, index, clamped), own_share * at.own_variance(window[index], clamped));
 }
 
-std::array<float, 3> variance(const NoiseWindow& window, std::size_t place, float rate) {
+std::array<float, 3> variance(const NoiseWindow& window, std::size_t index, float rate) {
   std::array<float, 3> result;
   for (std::size_t c = 0; c < 3; c++) {
     const auto channel = [c](const SquaredDifference& difference) { return difference.rgb[c]; };
-    result[c] = VarianceRate(rate).smooth_variance(window, place, channel);
+    result[c] = VarianceRate(rate).smooth_variance(window, index, channel);
   }
   return result;
 }

@@ -45,9 +45,8 @@ struct PixelNoise {
   std::uint32_t samples() const { return 1u << level; }
 };
 
-// Writes or reads it.
-template <class Archive, class Noise>
-void exchange_noise(Archive& archive, Noise& noise) {
+template <class Archive>
+void serialize(Archive& archive, Archived<Archive, PixelNoise>& noise) {
   for (auto* difference : {&noise.halves, &noise.quarters}) {
     archive(difference->clamped);
     for (auto& channel : difference->rgb) archive(channel);
@@ -84,8 +83,8 @@ using WindowNumbers = std::array<float, noise_window_size * noise_window_size>;
 // The rates that the pixels of the tile show, each with those around it; of the others there is nothing to tell.
 WindowNumbers observed_rates(const NoiseWindow& window, const NoiseRates& rates);
 
-// What follows from them for the pixel at `place` of the window, one of the tile.
-float squared_error(const NoiseWindow& window, std::size_t place, float rate);  // clamped; the mean over r, g, b
-std::array<float, 3> variance(const NoiseWindow& window, std::size_t place, float rate);  // of the colours as they are
+// What follows from them for a pixel of the tile, by its index in the window.
+float squared_error(const NoiseWindow& window, std::size_t index, float rate);  // clamped; the mean over r, g, b
+std::array<float, 3> variance(const NoiseWindow& window, std::size_t index, float rate);  // of the colours as they are
 
 }  // namespace penumbra

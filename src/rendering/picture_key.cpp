@@ -1,5 +1,7 @@
 #include "rendering/picture_key.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace penumbra {
@@ -14,20 +16,19 @@ bool is_same_picture(const PictureKey& a, const PictureKey& b) {
   return a.picture == b.picture && value_of("frame", a) == value_of("frame", b);
 }
 
-std::optional<KeyDifference> difference(const PictureKey& here, const PictureKey& there) {
-  if (here.version != there.version) return KeyDifference{"version", here.version, there.version};
-  if (here.scene != there.scene) return KeyDifference{"scene", {}, {}};
-  if (here.picture != there.picture) {
-    return KeyDifference{"picture", std::to_string(here.picture), std::to_string(there.picture)};
+std::string difference(const PictureKey& key, const PictureKey& other, std::string_view there) {
+  if (key.version != other.version) return fmt::format("penumbra {} wrote it, not {}", key.version, other.version);
+  if (key.scene != other.scene) return "the scene, or a file that it reads, is not the same";
+  if (key.picture != other.picture) {
+    return fmt::format("it is of picture {} of the scene, not of {}", key.picture, other.picture);
   }
-  for (const PictureKey* key : {&here, &there}) {
-    for (const auto& [name, value] : key->plan) {
-      if (value_of(name, here) != value_of(name, there)) {
-        return KeyDifference{name, value_of(name, here), value_of(name, there)};
-      }
+  for (const PictureKey* one : {&key, &other}) {
+    for (const auto& [name, ignored] : one->plan) {
+      const std::string value = value_of(name, key), other_value = value_of(name, other);
+      if (value != other_value) return fmt::format("its `{}` is {}, and {} {}", name, value, other_value, there);
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace penumbra

@@ -1,11 +1,12 @@
 // What a picture depends on: sums of samples belong together if their keys are equal.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/content_hash.hpp"
 
 namespace penumbra {
@@ -20,12 +21,9 @@ struct PictureKey {
   PlanInWords plan;     // the options that change the picture
 };
 
-// The first thing in which two keys differ: `version`, `scene`, `picture` or the name of an option; and what it is
-// here and there, `not given` where an option is not.
-struct KeyDifference {
-  std::string name, here, there;
-};
-std::optional<KeyDifference> difference(const PictureKey& here, const PictureKey& there);
+// The first thing in which a picture differs from another one, as a sentence about it; empty if nothing does. Where the
+// other one is, `there` tells: "here", "in the others".
+std::string difference(const PictureKey& key, const PictureKey& other, std::string_view there = "here");
 
 inline constexpr const char* not_given = "not given";
 
@@ -35,8 +33,8 @@ std::string value_of(const std::string& name, const PictureKey& key);
 // Whether both are the same picture of the same frame, if of the same scene and plan.
 bool is_same_picture(const PictureKey& a, const PictureKey& b);
 
-template <class Archive, class Key>
-void exchange_key(Archive& archive, Key& key) {
+template <class Archive>
+void serialize(Archive& archive, Archived<Archive, PictureKey>& key) {
   archive(key.version);
   archive(key.scene.low);
   archive(key.scene.high);

@@ -7,27 +7,27 @@
 #include <cstddef>
 #include <span>
 
+#include "base/pixel_rect.hpp"
 #include "rendering/tile_grid.hpp"
-#include "tracing/film_view.hpp"
 
 namespace penumbra {
 
 class PixelList {
  public:
-  static constexpr std::size_t most_pixels = std::size_t{noise_tile_size} * noise_tile_size;
+  static constexpr std::size_t capacity = std::size_t{noise_tile_size} * noise_tile_size;
 
-  void add(PixelPlace pixel) { pixels_[size_++] = pixel; }
-  std::span<const PixelPlace> all() const { return {pixels_.data(), size_}; }
+  void add(Pixel pixel) { pixels_[size_++] = pixel; }
+  std::span<const Pixel> all() const { return {pixels_.data(), size_}; }
 
  private:
-  std::array<PixelPlace, most_pixels> pixels_;
+  std::array<Pixel, capacity> pixels_;
   std::size_t size_ = 0;
 };
 
 // The pixels of a tile that are `wanted(x, y)`, in Morton's order: pixels that follow each other are near each other,
 // and where all are wanted, each aligned 2^k of them are a square or two squares side by side.
 template <class Wanted>
-PixelList pixels_of(const Crop& tile, const Wanted& wanted) {
+PixelList pixels_of(const PixelRect& tile, const Wanted& wanted) {
   PixelList list;
   const auto even_bits = [](unsigned v) { return (v & 1) | (v >> 1 & 2) | (v >> 2 & 4) | (v >> 3 & 8); };
   const unsigned side = std::bit_ceil(static_cast<unsigned>(std::max(tile.width(), tile.height())));
@@ -39,7 +39,7 @@ PixelList pixels_of(const Crop& tile, const Wanted& wanted) {
   return list;
 }
 
-inline PixelList pixels_of(const Crop& tile) {
+inline PixelList pixels_of(const PixelRect& tile) {
   return pixels_of(tile, [](int, int) { return true; });
 }
 

@@ -6,8 +6,9 @@
 
 #include "base/archive.hpp"
 #include "rendering/film.hpp"
-#include "rendering/render.hpp"
+#include "rendering/render_state.hpp"
 #include "rendering/tile_grid.hpp"
+#include "tracing/kernel.hpp"
 
 namespace penumbra {
 

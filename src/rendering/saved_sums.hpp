@@ -12,44 +12,37 @@
 
 namespace penumbra {
 
-inline ColorSum color_sum(const FilmView& film, PixelPlace pixel) {
-  const double* sum = film.color + 3 * film.index_of(pixel);
+inline ColorSum color_sum(const FilmView& film, Pixel pixel) {
+  const double* sum = film.color().of_pixel(film.pixels.index_of(pixel));
   return {sum[0], sum[1], sum[2]};
 }
 
 class SavedSums {
  public:
-  SavedSums(const FilmView& film, std::span<const PixelPlace> pixels) {
+  SavedSums(const FilmView& film, std::span<const Pixel> pixels) {
     double* next = values_.data();
-    for_planes(film, pixels,
-               [&next](const double* sums, std::size_t channels) { next = std::copy_n(sums, channels, next); });
+    for_sums(film, pixels, [&next](const double* sums, int count) { next = std::copy_n(sums, count, next); });
   }
 
-  void put_back(const FilmView& film, std::span<const PixelPlace> pixels) const {
+  void put_back(const FilmView& film, std::span<const Pixel> pixels) const {
     const double* next = values_.data();
-    for_planes(film, pixels, [&next](double* sums, std::size_t channels) {
-      std::copy_n(next, channels, sums);
-      next += channels;
+    for_sums(film, pixels, [&next](double* sums, int count) {
+      std::copy_n(next, count, sums);
+      next += count;
     });
   }
 
  private:
   template <class Visit>
-  static void for_planes(const FilmView& film, std::span<const PixelPlace> pixels, const Visit& visit) {
-    for (const PixelPlace& place : pixels) {
-      const std::size_t pixel = film.index_of(place);
-      const auto plane = [&](double* sums, std::size_t channels) {
-        if (sums) visit(sums + channels * pixel, channels);
-      };
-      plane(film.color, 3);
-      plane(film.squares, 3);
-      plane(film.depth, 2);
-      plane(film.normal, 3);
-      plane(film.albedo, 3);
+  static void for_sums(const FilmView& film, std::span<const Pixel> pixels, const Visit& visit) {
+    for (const Pixel pixel : pixels) {
+      for (const FilmPlane& plane : film.all()) {
+        visit(plane.of_pixel(film.pixels.index_of(pixel)), plane.sums_per_pixel);
+      }
     }
   }
 
-  std::array<double, 14 * PixelList::most_pixels> values_;
+  std::array<double, most_sums * PixelList::capacity> values_;
 };
 
 }  // namespace penumbra

@@ -6,42 +6,36 @@
 #include <algorithm>
 
 #include "rendering/sealed_file.hpp"
+#include "scene/settings.hpp"
 
 namespace penumbra {
 namespace {
 
-constexpr int largest_side = 1 << 17;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-
-template <class Archive, class Header>
-void exchange_header(Archive& archive, Header& header) {
-  exchange_key(archive, header.key);
+template <class Archive>
+void serialize(Archive& archive, Archived<Archive, PartHeader>& header) {
+  serialize(archive, header.key);
   archive(header.shard.index);
   archive(header.shard.count);
   for (auto* edge : {&header.crop.x0, &header.crop.y0, &header.crop.x1, &header.crop.y1}) archive(*edge);
-  auto& layers = header.layers;
-  for (auto* layer : {&layers.depth, &layers.normal, &layers.albedo, &layers.variance, &layers.samples}) {
-    archive(*layer);
+  for (const LayerRow& row : layer_table) {
+    bool wanted = header.layers.has(row.layer);
+    archive(wanted);
+    if constexpr (Archive::reads) {
+      if (wanted) header.layers.add(row.layer);
+    }
   }
-  bool own_counts = header.counts == SampleCounts::per_pixel;
-  archive(own_counts);
+  serialize_enum(archive, header.counts, SampleCounts::per_pixel);
   archive(header.development);
   if constexpr (Archive::reads) {
-    header.counts = own_counts ? SampleCounts::per_pixel : SampleCounts::uniform;
-    const Crop& c = header.crop;
-    bool is_window =
-        c.x0 >= 0 && c.y0 >= 0 && c.x0 < c.x1 && c.y0 < c.y1 && c.x1 <= largest_side && c.y1 <= largest_side;
-    is_window = is_window && std::int64_t{c.width()} * c.height() <= most_pixels;
-    if (!is_window) throw ArchiveError("there is no such window of a picture");
+    const PixelRect& c = header.crop;
+    const bool is_crop = c.x0 >= 0 && c.y0 >= 0 && c.x0 < c.x1 && c.y0 < c.y1 && c.x1 <= most_side &&
+                         c.y1 <= most_side && c.pixel_count() <= most_pixels;
+    if (!is_crop) throw ArchiveError("there is no such window of a picture");
     const Shard& shard = header.shard;
     if (shard.count < 1 || shard.count > most_shards || shard.index < 0 || shard.index >= shard.count) {
       throw ArchiveError("there is no such shard");
     }
   }
-}
-
-std::size_t pixels_of(const Crop& tile) {
-  return static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
 }
 
 // "3, 7-9, 12", and no more than some of them.
@@ -63,16 +57,7 @@ std::string in_words(const std::vector<int>& numbers) {
 
 // How a part's picture differs from another's; empty if it does not.
 std::string difference_in_words(const PartHeader& here, const PartHeader& there) {
-  if (const auto differs = difference(here.key, there.key)) {
-    if (differs->name == "version") {
-      return fmt::format("penumbra {} wrote it, and {} the others", differs->here, differs->there);
-    }
-    if (differs->name == "scene") return "its scene, or a file that this reads, is not the same";
-    if (differs->name == "picture") {
-      return fmt::format("it is of picture {} of the scene, not of {}", differs->here, differs->there);
-    }
-    return fmt::format("its `{}` is {}, and {} in the others", differs->name, differs->here, differs->there);
-  }
+  if (std::string why = difference(here.key, there.key, "in the others"); !why.empty()) return why;
   if (here.shard.count != there.shard.count) {
     return fmt::format("it is one of {} shards, not of {}", here.shard.count, there.shard.count);
   }
@@ -105,7 +90,7 @@ const PartHeader& most_common(const std::vector<Part>& parts) {
 std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
   SealedWriter file(FileKind::part);
   ArchiveWriter block;
-  exchange_header(block, header);
+  serialize(block, header);
   file.add(block.bytes());
   const TileGrid grid = header.tiles();
   for (int tile = 0; tile < grid.count(); tile++) {
@@ -120,13 +105,13 @@ std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
 
 Part::Part(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {
   SealedReader file(bytes_, FileKind::part, name_);
-  file.read(file.next(), [this](ArchiveReader& archive) { exchange_header(archive, header_); });
+  file.read(file.next(), [this](ArchiveReader& archive) { serialize(archive, header_); });
   const TileGrid grid = header_.tiles();
-  const std::size_t bytes_per_pixel = Film::bytes_per_pixel(header_.layers, header_.counts);
+  const std::size_t bytes_per_pixel = Film::bytes_per_pixel(header_.layers);
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header_.shard, tile)) continue;
     const auto block = file.next();
-    if (block.size() != sizeof tile + pixels_of(grid.tile(tile)) * bytes_per_pixel)
+    if (block.size() != sizeof tile + grid.tile(tile).pixel_count() * bytes_per_pixel)
       file.fail("it is not of a tile's size");
     int found = 0;
     ArchiveReader archive(block);

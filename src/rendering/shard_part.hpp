@@ -17,7 +17,7 @@ namespace penumbra {
 struct PartHeader {
   PictureKey key;
   Shard shard;
-  Crop crop;
+  PixelRect crop;
   Layers layers;
   SampleCounts counts = SampleCounts::uniform;
   std::string development;  // what turns the film into a picture, as whoever wrote it wants it back

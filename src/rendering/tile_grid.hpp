@@ -2,7 +2,6 @@
 // row by row.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "rendering/plan.hpp"
@@ -16,7 +15,7 @@ inline constexpr int noise_tile_size = 16;
 
 class TileGrid {
  public:
-  explicit TileGrid(const Crop& window, int size = tile_size)
+  explicit TileGrid(const PixelRect& window, int size = tile_size)
       : window_(window),
         size_(size),
         left_(window.x0 / size),
@@ -24,27 +23,26 @@ class TileGrid {
         columns_((window.x1 + size - 1) / size - left_),
         rows_((window.y1 + size - 1) / size - top_) {}
 
-  const Crop& window() const { return window_; }
+  const PixelRect& window() const { return window_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   int count() const { return columns_ * rows_; }
 
   // The pixels of a tile that lie in the window.
-  Crop tile(int index) const {
+  PixelRect tile(int index) const {
     const int x = (left_ + index % columns_) * size_, y = (top_ + index / columns_) * size_;
-    return {std::max(x, window_.x0), std::max(y, window_.y0), std::min(x + size_, window_.x1),
-            std::min(y + size_, window_.y1)};
+    return intersection({x, y, x + size_, y + size_}, window_);
   }
 
   // Whether a shard of the picture has this tile.
   bool has(const Shard& shard, int index) const { return shard.has(left_ + index % columns_, top_ + index / columns_); }
 
  private:
-  Crop window_;
+  PixelRect window_;
   int size_, left_, top_, columns_, rows_;
 };
 
-inline TileGrid tiles_of(const Crop& window, SampleCounts counts) {
+inline TileGrid tiles_of(const PixelRect& window, SampleCounts counts) {
   return TileGrid(window, counts == SampleCounts::uniform ? tile_size : noise_tile_size);
 }
 
@@ -52,9 +50,7 @@ inline TileGrid tiles_of(const Crop& window, SampleCounts counts) {
 inline std::uint64_t pixel_count(const TileGrid& grid, const Shard& shard) {
   std::uint64_t pixels = 0;
   for (int i = 0; i < grid.count(); i++) {
-    if (!grid.has(shard, i)) continue;
-    const Crop tile = grid.tile(i);
-    pixels += static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height());
+    if (grid.has(shard, i)) pixels += grid.tile(i).pixel_count();
   }
   return pixels;
 }

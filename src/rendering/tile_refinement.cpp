@@ -3,7 +3,6 @@
 #include <bit>
 
 #include "rendering/pixel_list.hpp"
-#include "rendering/portion.hpp"
 #include "rendering/saved_sums.hpp"
 
 namespace penumbra {
@@ -14,17 +13,18 @@ constexpr std::uint32_t fewest_samples_in_parts = 32;
 
 }  // namespace
 
-bool TileRefinement::go_on(const Place& place, RayCounts& counts, const RenderState& state) {
+bool TileRefinement::go_on(const ChunkRenderer& renderer, const AdaptiveRules& rules) {
   do {
-    if (!double_due(place, counts, state)) return false;
-  } while (mark_due(place.rules));
+    if (!double_due(renderer)) return false;
+  } while (mark_due(rules));
   return true;
 }
 
-bool TileRefinement::double_due(const Place& place, RayCounts& counts, const RenderState& state) {
+bool TileRefinement::double_due(const ChunkRenderer& renderer) {
+  const PixelRect window = window_pixels();
   std::uint32_t levels = 0;  // a bit for each that there is
   const PixelList all_due = pixels_of(tile_, [&](int x, int y) {
-    const std::size_t i = index_of(x, y);
+    const std::size_t i = window.index_of(x, y);
     if (marks_[i] != Mark::due) return false;
     levels |= window_[i].samples();
     return true;
@@ -32,36 +32,30 @@ bool TileRefinement::double_due(const Place& place, RayCounts& counts, const Ren
   for (; levels != 0; levels &= levels - 1) {
     const int level = std::countr_zero(levels);
     PixelList due;
-    for (const PixelPlace& pixel : all_due.all()) {
-      const std::size_t i = index_of(pixel);
+    for (const Pixel pixel : all_due.all()) {
+      const std::size_t i = window.index_of(pixel);
       if (marks_[i] == Mark::due && window_[i].level == level) due.add(pixel);
     }
-    const Portion portion = portion_for(place.frame, std::bit_ceil(due.all().size()), 1u << level);
-    for (auto left = due.all(); !left.empty();) {
-      const auto next = portion.next_of(left);
-      if (!double_samples(next, level, place, counts, state)) return false;
-      left = left.subspan(next.size());
-    }
+    const bool complete = renderer.for_chunks(
+        due.all(), 1u << level, [&](const Chunk& chunk) { return double_samples(chunk, level, renderer); });
+    if (!complete) return false;
   }
   return true;
 }
 
 // Of pixels that all have 2^level samples. False, and nothing done, if it was stopped.
-bool TileRefinement::double_samples(std::span<const PixelPlace> pixels, int level, const Place& place,
-                                    RayCounts& counts, const RenderState& state) {
-  const FilmView view = place.film.view();
-  const auto render = [&](std::uint32_t first, std::uint32_t end) {
-    return render_portions(view, place.frame, place.kernel, pixels, {first, end}, counts, state);
-  };
+bool TileRefinement::double_samples(const Chunk& chunk, int level, const ChunkRenderer& renderer) {
+  const FilmView& view = renderer.view;
+  const auto pixels = chunk.pixels;
   const SavedSums all_before(view, pixels);
-  std::array<ColorSum, PixelList::most_pixels> before, middle;
+  std::array<ColorSum, PixelList::capacity> before, middle;
   const std::uint32_t n = 1u << level;
   const bool in_parts = n >= fewest_samples_in_parts;
   const std::uint32_t half_way = in_parts ? n + n / 2 : 2 * n;
   for (std::size_t i = 0; i < pixels.size(); i++) before[i] = color_sum(view, pixels[i]);
-  bool complete = render(n, half_way);
+  bool complete = renderer.render(chunk, {n, half_way});
   for (std::size_t i = 0; i < pixels.size(); i++) middle[i] = color_sum(view, pixels[i]);
-  complete = complete && render(half_way, 2 * n);
+  complete = complete && renderer.render(chunk, {half_way, 2 * n});
   if (!complete) {
     all_before.put_back(view, pixels);
     return false;
@@ -69,11 +63,11 @@ bool TileRefinement::double_samples(std::span<const PixelPlace> pixels, int leve
   for (std::size_t i = 0; i < pixels.size(); i++) {
     const ColorSum end = color_sum(view, pixels[i]);
     const SquaredDifference parts = squared_difference(middle[i] - before[i], end - middle[i], n / 2.0);
-    const std::size_t k = index_of(pixels[i]);
+    const std::size_t k = window_pixels().index_of(pixels[i]);
     window_[k] = doubled_noise(window_[k], before[i], end - before[i], in_parts ? &parts : nullptr);
     marks_[k] = Mark::none;
   }
-  place.film.set_samples(pixels, 2 * n);
+  renderer.film.set_samples(pixels, 2 * n);
   return true;
 }
 
@@ -81,51 +75,39 @@ bool TileRefinement::double_samples(std::span<const PixelPlace> pixels, int leve
 bool TileRefinement::mark_due(const AdaptiveRules& rules) {
   const WindowNumbers observed = observed_rates(window_, rules.rates);
   bool any = false;
-  for (int y = tile_.y0; y < tile_.y1; y++) {
-    for (int x = tile_.x0; x < tile_.x1; x++) {
-      const std::size_t i = index_of(x, y);
-      const int level = window_[i].level;
-      if (marks_[i] == Mark::at_end) continue;
-      if (!rules.is_worth_more(squared_error(window_, i, observed[i]), level)) continue;
-      marks_[i] = level < rules.most_level ? Mark::due : Mark::at_end;
-      any = any || marks_[i] == Mark::due;
-    }
-  }
+  for_pixels(tile_, [&](int x, int y) {
+    const std::size_t i = window_pixels().index_of(x, y);
+    const int level = window_[i].level;
+    if (marks_[i] == Mark::at_end) return;
+    if (!rules.is_worth_more(squared_error(window_, i, observed[i]), level)) return;
+    marks_[i] = level < rules.most_level ? Mark::due : Mark::at_end;
+    any = any || marks_[i] == Mark::due;
+  });
   return any;
 }
 
-int TileRefinement::finish(const Place& place, const Crop& crop) const {
-  const WindowNumbers observed = observed_rates(window_, place.rules.rates);
+int TileRefinement::finish(Film& film, const AdaptiveRules& rules, const PixelRect& crop) const {
+  const WindowNumbers observed = observed_rates(window_, rules.rates);
   int unfinished = 0;
-  for (int y = tile_.y0; y < tile_.y1; y++) {
-    for (int x = tile_.x0; x < tile_.x1; x++) {
-      const std::size_t i = index_of(x, y);
-      const bool inside = x >= crop.x0 && y >= crop.y0 && x < crop.x1 && y < crop.y1;
-      if (inside && marks_[i] == Mark::at_end) unfinished++;
-      if (place.film.layers().variance) place.film.set_variance(x, y, variance(window_, i, observed[i]));
-    }
-  }
+  for_pixels(tile_, [&](int x, int y) {
+    const std::size_t i = window_pixels().index_of(x, y);
+    if (crop.contains(x, y) && marks_[i] == Mark::at_end) unfinished++;
+    if (film.layers().has(Layer::variance)) film.set_variance(x, y, variance(window_, i, observed[i]));
+  });
   return unfinished;
 }
 
-template <class Archive, class Self>
-void TileRefinement::exchange(Archive& archive, Self& self) {
-  for (auto& noise : self.window_) exchange_noise(archive, noise);
-  for (auto& mark : self.marks_) {
-    auto number = static_cast<std::uint8_t>(mark);
-    archive(number);
-    if constexpr (Archive::reads) {
-      if (number > static_cast<int>(Mark::at_end)) throw ArchiveError("a pixel has a mark that there is not");
-      mark = static_cast<Mark>(number);
-    }
-  }
+template <class Archive>
+void TileRefinement::serialize_window(Archive& archive, Archived<Archive, TileRefinement>& refinement) {
+  for (auto& noise : refinement.window_) serialize(archive, noise);
+  for (auto& mark : refinement.marks_) serialize_enum(archive, mark, Mark::at_end);
 }
 
-void TileRefinement::write(ArchiveWriter& archive) const { exchange(archive, *this); }
+void TileRefinement::write(ArchiveWriter& archive) const { serialize_window(archive, *this); }
 
-void TileRefinement::read(ArchiveReader& archive, const Crop& tile) {
+void TileRefinement::read(ArchiveReader& archive, const PixelRect& tile) {
   tile_ = tile;
-  exchange(archive, *this);
+  serialize_window(archive, *this);
 }
 
 }  // namespace penumbra

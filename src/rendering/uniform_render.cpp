@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rendering/render.hpp"
+
 namespace penumbra {
 namespace {
 
@@ -32,32 +34,26 @@ RayCounts UniformRender::run(RenderState& state) {
 }
 
 bool UniformRender::is_finished() const {
+  bool finished = true;
   for (int i = 0; i < grid_.count(); i++) {
     if (!grid_.has(plan_.shard, i)) continue;
-    const Crop tile = grid_.tile(i);
-    for (int y = tile.y0; y < tile.y1; y++) {
-      for (int x = tile.x0; x < tile.x1; x++) {
-        if (film_.samples_at(x, y) < rays_) return false;
-      }
-    }
+    for_pixels(grid_.tile(i), [&](int x, int y) { finished = finished && film_.samples_at(x, y) >= rays_; });
   }
-  return true;
+  return finished;
 }
 
 // The first pixel of a tile is never behind its others.
 bool UniformRender::has_begun(int tile) const {
-  const Crop pixels = grid_.tile(tile);
+  const PixelRect pixels = grid_.tile(tile);
   return film_.samples_at(pixels.x0, pixels.y0) > 0;
 }
 
 void UniformRender::read(ArchiveReader& archive, int tile) {
-  const Crop pixels = grid_.tile(tile);
+  const PixelRect pixels = grid_.tile(tile);
   film_.read(archive, pixels);
-  for (int y = pixels.y0; y < pixels.y1; y++) {
-    for (int x = pixels.x0; x < pixels.x1; x++) {
-      if (film_.samples_at(x, y) > rays_) throw ArchiveError("a pixel has more samples than it shall get");
-    }
-  }
+  for_pixels(pixels, [&](int x, int y) {
+    if (film_.samples_at(x, y) > rays_) throw ArchiveError("a pixel has more samples than it shall get");
+  });
 }
 
 }  // namespace penumbra

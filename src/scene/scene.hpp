@@ -1,8 +1,8 @@
 // What a scene is: plain data in double precision, no code that reads or renders.
 //
-// A scene is a tree of objects. Every object stands in the space of the group that holds it (for the root group: the
-// world). Triangles and meshes are stored in bulk, as positions already in the space of their group; objects only name
-// a range of them, so that ten million triangles cost their vertices and little else.
+// A scene is a tree of objects. Every object lives in the space of the group that contains it; the space of the root
+// group is the world. Triangles and meshes are stored in bulk, with positions already in the space of their group; an
+// object only names a range of triangles, so that ten million of them cost little more than their vertices.
 #pragma once
 
 #include <cstddef>
@@ -17,49 +17,24 @@
 
 #include "base/vec.hpp"
 #include "base/zeroed_pages.hpp"
+#include "scene/light.hpp"
 #include "scene/settings.hpp"
 
 namespace penumbra {
-
-using Color = Vec3;  // r, g, b; linear; 1 is the full output value, never clamped before the output
 
 struct Camera {
   double fov_degrees = 60;    // full angle over the shorter side of the picture, below 180
   Vec3 eye;                   // position in the world
   Vec3 right{1, 0, 0};        // u: to the right of the picture
   Vec3 up{0, 1, 0};           // v: to the top of the picture
-  Vec3 back{0, 0, 1};         // w: the view goes along -w
+  Vec3 back{0, 0, 1};         // w: the camera looks along -w
   double lens_radius = 0;     // world units; 0 is a pinhole
-  double focus_distance = 1;  // distance along -w of the plane in focus
-  double focal_length = 0;    // F and n of `camera_lens`: the lens radius is F/(2n); 0 where they are not known
+  double focus_distance = 1;  // distance of the plane in focus, along -w
+  double focal_length = 0;    // F and n of `camera_lens`: the lens radius is F/(2n); 0 if unknown
   double f_number = 0;
   double shutter_open = 0;
   double shutter_close = 1;
 };
-
-struct PointLight {
-  Vec3 position;
-  Color color;
-};
-
-// Each shadow ray goes to its own point, uniform over the disk's area; no cosine, no falloff, both sides shine.
-struct DiskLight {
-  Vec3 center;
-  double radius = 0;
-  Vec3 direction{0, -1, 0};  // normal of the disk, any length but zero
-  Color color;
-};
-
-// Full inside `inner_degrees` from the axis, none beyond `outer_degrees`, smoothstep between the cosines.
-struct SpotLight {
-  Vec3 position;
-  Vec3 direction{0, 0, -1};  // the axis, any length but zero
-  double inner_degrees = 0;
-  double outer_degrees = 0;
-  Color color;
-};
-
-using Light = std::variant<PointLight, DiskLight, SpotLight>;
 
 enum class Highlight : std::uint8_t { phong, blinn };  // max(0, R.V)^p or max(0, N.H)^p
 enum class Texture : std::uint8_t { none, noise, wood, marble, stone };
@@ -72,7 +47,7 @@ struct Surface {
   double reflection = 0;        // k_refl
   double gloss_radius = 0;      // radius of the ball added to the unit mirror direction
   double transmission = 0;      // k_trans
-  double refraction_index = 1;  // inside, against 1 outside
+  double refraction_index = 1;  // inside; outside it is 1
   double blur_radius = 0;       // radius of the ball added to the unit refracted direction
   Highlight highlight = Highlight::blinn;
   Texture texture = Texture::none;
@@ -81,7 +56,7 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
-// What the objects of a kind are called: one of them, and several.
+// What the objects of a kind are called, in singular and plural.
 struct KindName {
   std::string_view one, several;
 };
@@ -104,15 +79,15 @@ struct Cylinder {  // along y
   bool capped = true;
 };
 
-// `count` triangles of TriangleStore from `first` on: one triangle, one polygon, a run of them, or a whole mesh file.
-// Their positions are in the space of the group already; `group_from_object` is not applied to them.
+// `count` triangles of the TriangleStore from `first` on: a triangle, a polygon, a run of polygons, or a whole mesh
+// file. Their positions are already in the space of the group; `group_from_object` is not applied to them.
 struct TriangleRange {
   static constexpr KindName name{"triangle", "triangles"};
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
-// Places what a name stands for: group = M_instance * (what the object had when it was defined).
+// Places a named object: group_from_object = M_instance * (the matrix that the object was defined with).
 struct Instance {
   static constexpr KindName name{"instance", "instances"};
   std::uint32_t definition = 0;  // index into Scene::definitions
@@ -122,17 +97,17 @@ struct Group;
 
 using Shape = std::variant<Sphere, Box, Cylinder, TriangleRange, std::shared_ptr<const Group>, Instance>;
 
-// The kinds that are one shape, whose numbers are all in the object.
+// The kinds that are a single shape, whose parameters are all in the object.
 template <typename Kind>
 concept AnalyticShape = !std::is_same_v<Kind, TriangleRange> && !std::is_same_v<Kind, Instance> &&
                         !std::is_same_v<Kind, std::shared_ptr<const Group>>;
 
-// One object of a group. Objects are in the order in which the file names them: at equal distance the first wins.
+// One object of a group. Objects are in the order of the file: at equal distance, the first one wins.
 struct Object {
   Shape shape;
-  std::uint32_t surface = 0;    // index into Scene::surfaces; not used by groups and instances
+  std::uint32_t surface = 0;    // index into Scene::surfaces; unused by groups and instances
   std::uint32_t placement = 0;  // index into Scene::placements: group_from_object; 0 is the identity
-  Vec3 motion;                  // the object is shifted by time * motion, in the space of the group that holds it
+  Vec3 motion;                  // the object is shifted by time * motion, in the space of the group that contains it
 };
 
 struct Group {
@@ -151,12 +126,12 @@ inline KindName name_of(const Shape& shape) {
 }
 
 // All triangles of a scene, indexed, in the order of the file: corner k of triangle i is vertices[indices[3 i + k]].
-// Shared between the pictures of one file: it only grows.
+// All pictures of one file share it: it only grows.
 struct TriangleStore {
-  ZeroedVector<float> vertices;         // 3 floats a vertex, in the space of the group that holds the triangle
-  ZeroedVector<std::uint32_t> indices;  // 3 a triangle; its outward side is (B-A)x(C-A)
+  ZeroedVector<float> vertices;         // 3 floats per vertex, in the space of the group of the triangle
+  ZeroedVector<std::uint32_t> indices;  // 3 per triangle; its outward normal is (B-A)x(C-A)
 
-  // Turns the triangles from this index on inside out. A matrix that mirrors would leave the outward side behind.
+  // Reverses the winding of all triangles from this index on. A mirroring matrix needs it to keep them outward.
   void turn_from(std::size_t first_index) {
     for (std::size_t i = first_index; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
   }
@@ -173,7 +148,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Affine> placements{Affine{}};  // [0] is the identity
   std::shared_ptr<TriangleStore> triangles;  // never null in a scene that was read
-  std::vector<Object> definitions;           // what the names stand for; an Instance names one by index
+  std::vector<Object> definitions;           // the named objects; an Instance refers to one by its index
   Group root;
 };
 

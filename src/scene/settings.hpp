@@ -1,24 +1,24 @@
-// What can be asked of a picture beside what it shows, as one value: its size and how its rays are spent. A scene says
-// it, the options of a command change it, and the frame that is rendered carries it. The limits stand here alone.
+// The settings of a picture, apart from what it shows, as one value: its size and how its rays are spent. A scene sets
+// them, the options of a command change them, and the rendered frame carries them. Most of their limits are here.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
+#include "base/pixel_rect.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
 
-inline constexpr int most_side = 65'536;      // pixels of a picture, either way
-inline constexpr int most_pixels = 1 << 28;   // of a picture in all
-inline constexpr int most_rays_per_pixel = 1 << 24;     // through a pixel
-inline constexpr int most_hit_rays = 65'536;  // of one kind from one hit
-inline constexpr int most_depth = 100;        // the deepest recursion of rays that there is stack for
+inline constexpr int most_side = 65'536;             // pixels, of the width and of the height
+inline constexpr int most_rays_per_pixel = 1 << 24;  // through a pixel
+inline constexpr int most_hit_rays = 65'536;         // of one kind, sent from one hit
+inline constexpr int most_depth = 100;               // the deepest recursion of rays that fits on the stack
 
 // The two ways in which the lecture simulates a lens (slides 49 and 50).
 enum class LensModel : std::uint8_t {
   thin,  // approach 2: from a point of the lens through the point in focus
-  cone   // approach 1: from the eye, within the cone of radius r at the distance of what the pinhole would see
+  cone   // approach 1: from the eye, within a cone of radius r at the distance of what a pinhole would see
 };
 
 inline constexpr std::string_view lens_model_names[] = {"thin", "cone"};
@@ -28,15 +28,15 @@ struct Settings {
   int rays_per_pixel = 1;
   Pattern pattern = default_pattern;
   std::uint32_t seed = 0;
-  int max_depth = 8;  // the eye ray has depth 0; at this depth no further ray is sent
-  // How many rays the hit of an eye ray sends: reflected, transmitted, to each area light. Deeper hits send one.
+  int max_depth = 8;  // the eye ray has depth 0; at this depth, no further rays are sent
+  // How many rays the hit of an eye ray sends: reflected, transmitted, to each area light. Deeper hits send one each.
   int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
   LensModel lens_model = LensModel::thin;
-  bool regular_lights = false;       // area lights are sampled at a fixed regular set
-  bool shadows = true;               // else every light reaches every surface
-  bool transparent_shadows = false;  // shadow rays pass surfaces, times k_trans for each
-  bool antialiasing = true;          // else every ray goes through the place of a single one
-  bool course = false;               // the course's pixel corners
+  bool regular_lights = false;       // area lights are sampled at a fixed regular set of points
+  bool shadows = true;               // if not, every light reaches every surface
+  bool transparent_shadows = false;  // shadow rays pass through surfaces, times k_trans for each
+  bool antialiasing = true;          // if not, every ray goes where a single one would
+  bool course = false;               // rays go through pixel corners, as in the course
 
   bool operator==(const Settings&) const = default;
 };

@@ -11,37 +11,53 @@ namespace penumbra::PENUMBRA_KERNEL {
 // Adding and subtracting this rounds a double to a whole multiple of the quantum.
 PENUMBRA_INLINE double rounder(double quantum) { return quantum * 6755399441055744.0; }  // 1.5 * 2^52
 
-// The results of one packet of samples, as far as the film wants them.
+// The results of one packet of samples: what it adds to each sum of a pixel, plane by plane.
 struct PacketResult {
-  static constexpr int most_channels = 14;
-  alignas(64) float values[most_channels][lane_count];
-  double round[most_channels];
-  int channels = 0;
-  int color_channels = 0;  // how many of the first also want their squares
+  alignas(64) float values[most_sums][lane_count];
+  double round[most_sums];
+  bool squared[most_sums];  // whether it is the square of the value that is added
+  int sums = 0;
 
-  PENUMBRA_INLINE void add(Floats value, double quantum) {
+  PENUMBRA_INLINE void add(Floats value, double quantum, bool square = false) {
     // What is not a finite number would spoil its pixel for good.
-    store(values[channels], keep(abs(value) < Floats(3e38f), value));
-    round[channels++] = rounder(quantum);
+    store(values[sums], keep(abs(value) < Floats(3e38f), value));
+    squared[sums] = square;
+    round[sums++] = rounder(quantum);
   }
-  PENUMBRA_INLINE void add(Float3 value, double quantum) {
-    add(value.x, quantum);
-    add(value.y, quantum);
-    add(value.z, quantum);
+  PENUMBRA_INLINE void add(Float3 value, double quantum, bool square = false) {
+    add(value.x, quantum, square);
+    add(value.y, quantum, square);
+    add(value.z, quantum, square);
   }
 
   PENUMBRA_INLINE PacketResult(const Frame& frame, const FilmView& film, Mask active, Float3 color,
                                const FirstHits& first, const Rays& rays) {
-    add(keep(active, color), frame.color_quantum);
+    constexpr double unit_quantum = 1.0 / (1 << 30);  // of what is at most 1
     const Mask hit = active & first.found;
-    if (film.squares) color_channels = 3;
-    if (film.depth) {
-      const Float3 way = rays.origin + rays.direction * first.distance - broadcast3(frame.camera.eye);
-      add(keep(hit, dot(way, broadcast3(frame.camera.view))), frame.depth_quantum);
-      add(keep(hit, Floats(1)), 1.0 / (1 << 30));
+    for (const FilmPlane& plane : film.all()) {
+      switch (plane.layer) {
+        case Layer::color:
+          add(keep(active, color), frame.color_quantum);
+          break;
+        case Layer::depth: {
+          const Float3 way = rays.origin + rays.direction * first.distance - broadcast3(frame.camera.eye);
+          add(keep(hit, dot(way, broadcast3(frame.camera.view))), frame.depth_quantum);
+          add(keep(hit, Floats(1)), unit_quantum);
+          break;
+        }
+        case Layer::normal:
+          add(keep(hit, first.normal), unit_quantum);
+          break;
+        case Layer::albedo:
+          add(keep(hit, first.albedo), frame.color_quantum);
+          break;
+        case Layer::variance:
+          add(keep(active, color), frame.color_quantum, true);
+          break;
+        case Layer::samples:  // has no sums
+          break;
+      }
     }
-    if (film.normal) add(keep(hit, first.normal), 1.0 / (1 << 30));
-    if (film.albedo) add(keep(hit, first.albedo), frame.color_quantum);
   }
 };
 
@@ -109,29 +125,26 @@ struct ColorQuanta {
 struct PixelSums {
   ColorQuanta color;
   bool has_values = false;  // whether there is anything but `color`
-  alignas(64) double values[PacketResult::most_channels][lane_count];
-  alignas(64) double squares[3][lane_count];
+  alignas(64) double values[most_sums][lane_count];
 
   PENUMBRA_INLINE void add(const PacketResult& packet) {
-    if (!has_values) clear(packet);
-    for (int c = 0; c < packet.channels; c++) {
-      const double round = packet.round[c];
-      for (int lane = 0; lane < lane_count; lane++) values[c][lane] += (double{packet.values[c][lane]} + round) - round;
+    if (!has_values) {
+      for (int i = 0; i < packet.sums; i++) std::fill_n(values[i], lane_count, 0.0);
     }
-    for (int c = 0; c < packet.color_channels; c++) {
-      const double round = packet.round[c];
-      const double square_round = squares_rounder(round);
-      for (int lane = 0; lane < lane_count; lane++) {
-        const double value = (double{packet.values[c][lane]} + round) - round;
-        squares[c][lane] += (value * value + square_round) - square_round;
+    has_values = true;
+    for (int i = 0; i < packet.sums; i++) {
+      const double round = packet.round[i], square_round = squares_rounder(round);
+      const auto add_all = [&](const auto& term) {
+        for (int lane = 0; lane < lane_count; lane++) {
+          values[i][lane] += term((double{packet.values[i][lane]} + round) - round);
+        }
+      };
+      if (packet.squared[i]) {
+        add_all([=](double value) { return (value * value + square_round) - square_round; });
+      } else {
+        add_all([](double value) { return value; });
       }
     }
-  }
-
-  PENUMBRA_INLINE void clear(const PacketResult& packet) {
-    for (int c = 0; c < packet.channels; c++) std::fill_n(values[c], lane_count, 0.0);
-    for (int c = 0; c < packet.color_channels; c++) std::fill_n(squares[c], lane_count, 0.0);
-    has_values = true;
   }
 
   // The quantum of squares: 2^-30 of the square of the largest colour, which the colour's own quantum tells.
@@ -142,6 +155,7 @@ struct PixelSums {
 
 // The sum of `count` numbers, a power of two. It is exact, so that halves may be added to halves.
 PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
+  if (count == 1) return values[0];
   double part[lane_count];
   for (int i = 0; i < count; i++) part[i] = values[i];
   for (int half = count / 2; half > 0; half /= 2) {
@@ -151,11 +165,11 @@ PENUMBRA_INLINE double sum_of_lanes(const double* values, int count) {
 }
 
 // Adds the sums to the film: `lanes` lanes belong to each of the pixels.
-PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, std::span<const PixelPlace> pixels,
+PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, std::span<const Pixel> pixels,
                                  const PixelSums& sums, int lanes) {
   const auto add_colors = [&](const auto& groups) {
     for (std::size_t i = 0; i < pixels.size(); i++) {
-      double* const color = film.color + 3 * film.index_of(pixels[i]);
+      double* const color = film.color().of_pixel(film.pixels.index_of(pixels[i]));
       for (int c = 0; c < 3; c++) {
         const std::int64_t sum = groups.sum(c, static_cast<int>(i) * lanes, lanes);
         color[c] += static_cast<double>(sum) * frame.color_quantum;
@@ -168,27 +182,14 @@ PENUMBRA_INLINE void add_to_film(const Frame& frame, const FilmView& film, std::
     add_colors(ColorQuanta::Groups<1>(sums.color));
   }
   if (!sums.has_values) return;
-  for (std::size_t i = 0; i < pixels.size(); i++) {
-    const std::size_t pixel = film.index_of(pixels[i]);
-    const std::size_t first = i * static_cast<std::size_t>(lanes);
-    const auto add_plane = [&](double* plane, const double(*values)[lane_count], int channels) {
-      for (int c = 0; c < channels; c++) {
-        plane[pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)] +=
-            sum_of_lanes(values[c] + first, lanes);
-      }
-    };
-    add_plane(film.color, sums.values, 3);
-    if (film.squares) add_plane(film.squares, sums.squares, 3);
-    int channel = 3;
-    if (film.depth) {
-      add_plane(film.depth, sums.values + channel, 2);
-      channel += 2;
+  const double(*values)[lane_count] = sums.values;
+  for (const FilmPlane& plane : film.all()) {
+    for (std::size_t i = 0; i < pixels.size(); i++) {
+      double* const pixel = plane.of_pixel(film.pixels.index_of(pixels[i]));
+      const std::size_t first = i * static_cast<std::size_t>(lanes);
+      for (int c = 0; c < plane.sums_per_pixel; c++) pixel[c] += sum_of_lanes(values[c] + first, lanes);
     }
-    if (film.normal) {
-      add_plane(film.normal, sums.values + channel, 3);
-      channel += 3;
-    }
-    if (film.albedo) add_plane(film.albedo, sums.values + channel, 3);
+    values += plane.sums_per_pixel;
   }
 }
 

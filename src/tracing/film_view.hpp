@@ -5,35 +5,36 @@
 #include <cstdint>
 #include <span>
 
+#include "base/pixel_rect.hpp"
+#include "tracing/layers.hpp"
+
 namespace penumbra {
 
-// Where a pixel is in the picture.
-struct PixelPlace {
-  std::uint32_t x, y;
+// The sums of one layer: so many doubles a pixel, row by row over the film's pixels.
+struct FilmPlane {
+  Layer layer;
+  int sums_per_pixel;
+  double* sums;
+
+  double* of_pixel(std::size_t pixel) const { return sums + static_cast<std::size_t>(sums_per_pixel) * pixel; }
 };
 
-// Where the sums of samples go: planes of doubles, `channels` numbers a pixel, row by row over the window that starts
-// at (x0, y0); a plane that is not wanted is null. Every number is a whole multiple of its quantum before it is added,
-// so that the sums are exact and do not depend on the order of the samples.
+// Every number is a whole multiple of its quantum before it is added, so that the sums are exact and do not depend on
+// the order of the samples.
 struct FilmView {
-  double* color = nullptr;    // 3: r, g, b
-  double* squares = nullptr;  // 3: of the same
-  double* depth = nullptr;    // 2: distance along the view, number of samples that hit anything
-  double* normal = nullptr;   // 3
-  double* albedo = nullptr;   // 3
-  int x0 = 0, y0 = 0, width = 0;
+  PixelRect pixels;
+  FilmPlane planes[layer_count];  // those of the layers to add to, in the order of the table: the colour's first
+  std::size_t plane_count = 0;
 
-  // The number of a pixel of the window.
-  std::size_t index_of(PixelPlace pixel) const {
-    return static_cast<std::size_t>(static_cast<int>(pixel.y) - y0) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(static_cast<int>(pixel.x) - x0);
-  }
+  void add(FilmPlane plane) { planes[plane_count++] = plane; }
+  const FilmPlane& color() const { return planes[0]; }
+  std::span<const FilmPlane> all() const { return {planes, plane_count}; }
 };
 
 // Samples first <= index < end of each of these pixels. Pixels that follow each other should be near each other: where
 // few samples of each are wanted, they share packets.
 struct PixelSamples {
-  std::span<const PixelPlace> pixels;
+  std::span<const Pixel> pixels;
   std::uint32_t first, end;
 };
 

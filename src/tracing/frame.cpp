@@ -5,18 +5,6 @@
 namespace penumbra {
 namespace {
 
-struct Axes {
-  Vec3 u, v;
-};
-
-// Two unit vectors that make a right-handed frame with the unit vector n (Duff et al. 2017).
-Axes axes_around(Vec3 n) {
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1 / (sign + n.z);
-  const double b = n.x * n.y * a;
-  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
-}
-
 FrameCamera make_camera(const Scene& scene) {
   const Camera& c = scene.camera;
   const Settings& settings = scene.settings;
@@ -41,32 +29,15 @@ FrameCamera make_camera(const Scene& scene) {
   return camera;
 }
 
-FrameLight make_light(const PointLight& l) {
-  FrameLight light{};
-  light.kind = LightKind::point;
-  set3(light.position, l.position);
-  set3(light.color, l.color);
-  return light;
-}
-FrameLight make_light(const DiskLight& l) {
-  FrameLight light{};
-  light.kind = LightKind::disk;
-  set3(light.position, l.center);
-  set3(light.color, l.color);
-  const Axes axes = axes_around(normalize(l.direction));
-  set3(light.disk_u, axes.u * l.radius);
-  set3(light.disk_v, axes.v * l.radius);
-  return light;
-}
-FrameLight make_light(const SpotLight& l) {
-  FrameLight light{};
-  light.kind = LightKind::spot;
-  set3(light.position, l.position);
-  set3(light.color, l.color);
-  set3(light.axis, normalize(l.direction));
-  light.cosine_inner = static_cast<float>(std::cos(l.inner_degrees * std::numbers::pi / 180));
-  light.cosine_outer = static_cast<float>(std::cos(l.outer_degrees * std::numbers::pi / 180));
-  return light;
+FrameLight make_light(const Light& light) {
+  FrameLight made;
+  const auto set = [&](const auto& l) {
+    set3(made.color, l.color);
+    made.hold(frame_light(l));
+  };
+  std::visit(set, light);
+  made.has_area = with_light(made, [](const auto& l) { return l.has_area; });
+  return made;
 }
 
 // Beyond this, squaring again and again would lose more digits than a logarithm does.
@@ -124,9 +95,9 @@ Frame make_frame(const Scene& scene, World world) {
   set3(frame.background, scene.background);
   bool any_area = false;
   for (const Light& light : scene.lights) {
-    FrameLight& added = frame.lights.emplace_back(std::visit([](const auto& l) { return make_light(l); }, light));
-    added.first_of_area = added.kind == LightKind::disk && !any_area;
-    any_area |= added.kind == LightKind::disk;
+    FrameLight& added = frame.lights.emplace_back(make_light(light));
+    added.first_of_area = added.has_area && !any_area;
+    any_area |= added.has_area;
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
   frame.settings = settings;

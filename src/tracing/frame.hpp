@@ -8,6 +8,7 @@
 #include "geometry/world.hpp"
 #include "sampling/sample_tables.hpp"
 #include "scene/scene.hpp"
+#include "tracing/light.hpp"
 
 namespace penumbra {
 
@@ -22,18 +23,6 @@ struct FrameCamera {
   float shutter_open, shutter_length;
   // Where in the pixel a ray goes: u * pixel_width + pixel_offset from its left and top.
   float pixel_width, pixel_offset;
-};
-
-enum class LightKind : std::uint8_t { point, disk, spot };
-
-struct FrameLight {
-  LightKind kind;
-  bool first_of_area;  // the first light that needs random numbers
-  float position[3];
-  float color[3];
-  float disk_u[3], disk_v[3];  // from the centre to the rim
-  float axis[3];               // unit axis of a spotlight
-  float cosine_inner, cosine_outer;
 };
 
 struct FrameSurface {

@@ -1,10 +1,55 @@
-// A point on each light, and what shines from there: no falloff with distance, no cosine at the light.
+// A light of the frame, and the list of the kinds. What is to be known of a kind is in a file of its own in
+// tracing/lights/: its numbers in single precision (frame_light), whether it has an area, the point of it that two
+// random numbers choose (point_on), and what that sends to a point (radiance). The points of a light that has an area
+// are center + s u + t v with |s| and |t| at most 1.
 #pragma once
 
-#include "sampling/sampler.hpp"
-#include "sampling/warp.hpp"
-#include "tracing/frame.hpp"
+#include <cstdint>
 
+#ifdef PENUMBRA_LANES
+#include "sampling/sampler.hpp"
+#endif
+#include "tracing/lights/disk.hpp"
+#include "tracing/lights/point.hpp"
+#include "tracing/lights/spot.hpp"
+
+namespace penumbra {
+
+enum class LightKind : std::uint8_t { point, disk, spot };
+
+struct FrameLight {
+  LightKind kind = LightKind::point;
+  bool has_area = false;       // its points are chosen by random numbers
+  bool first_of_area = false;  // the first light of the frame that has one
+  float color[3] = {0, 0, 0};
+  union {  // the one of `kind`
+    FramePointLight point = {};
+    FrameDiskLight disk;
+    FrameSpotLight spot;
+  };
+
+  void hold(const FramePointLight& l) { kind = LightKind::point, point = l; }
+  void hold(const FrameDiskLight& l) { kind = LightKind::disk, disk = l; }
+  void hold(const FrameSpotLight& l) { kind = LightKind::spot, spot = l; }
+};
+
+// Calls `visit` with the light as what it is.
+template <typename Visit>
+[[gnu::always_inline]] inline auto with_light(const FrameLight& light, const Visit& visit) {
+  switch (light.kind) {
+    case LightKind::point:
+      return visit(light.point);
+    case LightKind::disk:
+      return visit(light.disk);
+    case LightKind::spot:
+      return visit(light.spot);
+  }
+  __builtin_unreachable();
+}
+
+}  // namespace penumbra
+
+#ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
 struct LightSample {
@@ -13,27 +58,19 @@ struct LightSample {
   Float3 radiance;
 };
 
-// `random` is used by disk lights only: uniform over the area.
+// A point of the light and what shines from there: no falloff with distance, no cosine at the light.
 PENUMBRA_INLINE LightSample sample_light(const FrameLight& light, Float3 from, Pair random) {
-  Float3 point = broadcast3(light.position);
-  if (light.kind == LightKind::disk) {
-    const DiskPoint disk = warp_to_disk(random);
-    point = point + broadcast3(light.disk_u) * disk.x + broadcast3(light.disk_v) * disk.y;
-  }
+  const auto point = [&](const auto& l) __attribute__((always_inline)) { return point_on(l, random); };
   LightSample sample;
-  const Float3 way = point - from;
+  const Float3 way = with_light(light, point) - from;
   sample.distance = sqrt(dot(way, way));
   sample.toward = way * (Floats(1) / sample.distance);
-  sample.radiance = broadcast3(light.color);
-  if (light.kind == LightKind::spot) {
-    const Floats cosine = -dot(sample.toward, broadcast3(light.axis));
-    const Floats outer = Floats(light.cosine_outer);
-    const Floats width = Floats(light.cosine_inner) - outer;
-    const Floats t = min(max((cosine - outer) / max(width, Floats(1e-12f)), Floats(0)), Floats(1));
-    const Floats smooth = t * t * (Floats(3) - Floats(2) * t);
-    sample.radiance *= keep(cosine >= outer, smooth);
-  }
+  const auto shine = [&](const auto& l) __attribute__((always_inline)) {
+    return radiance(l, broadcast3(light.color), sample.toward);
+  };
+  sample.radiance = with_light(light, shine);
   return sample;
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL
+#endif

@@ -29,10 +29,9 @@ struct PacketRenderer {
     counts[RayKind::eye] += static_cast<std::uint64_t>(count(active));
     const TraceContext context{frame, sampler, counts, recorder};
     FirstHits first_hits;
-    const bool wants_first = film.depth || film.normal || film.albedo;
-    const Float3 color = trace(context, rays, active, 0, tree_root, wants_first ? &first_hits : nullptr);
-    const bool wants_more = wants_first || film.squares;
-    if (!wants_more && sums.color.add(keep(active, color), quanta)) return;
+    const bool color_alone = film.plane_count == 1;
+    const Float3 color = trace(context, rays, active, 0, tree_root, color_alone ? nullptr : &first_hits);
+    if (color_alone && sums.color.add(keep(active, color), quanta)) return;
     sums.add(PacketResult(frame, film, active, color, first_hits, rays));
   }
 
@@ -43,14 +42,14 @@ struct PacketRenderer {
 
   // Whole packets first <= index < end of every pixel.
   void render_wide(std::uint32_t first, std::uint32_t end) const {
-    for (const PixelPlace& place : wanted.pixels) {
-      const Ints column(place.x), row(place.y);
-      const PixelSampler pixel(place.x, place.y, frame.settings.seed);
+    for (const Pixel& pixel : wanted.pixels) {
+      const Ints column(pixel.x), row(pixel.y);
+      const PixelSampler sampler(pixel.x, pixel.y, frame.settings.seed);
       PixelSums sums;
       for (std::uint32_t index = first; index < end; index += lane_count) {
-        add_packet(pixel, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
+        add_packet(sampler, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
       }
-      add_to_film(frame, film, {&place, 1}, sums, lane_count);
+      add_to_film(frame, film, {&pixel, 1}, sums, lane_count);
     }
   }
 
@@ -59,17 +58,17 @@ struct PacketRenderer {
     const std::size_t pixels_at_once = static_cast<std::size_t>(lane_count / samples);
     const Ints pixel_of_lane = lane_numbers() >> std::countr_zero(static_cast<unsigned>(samples));
     for (std::size_t next = 0; next < wanted.pixels.size(); next += pixels_at_once) {
-      const auto places = wanted.pixels.subspan(next, std::min(pixels_at_once, wanted.pixels.size() - next));
-      const Mask inside = pixel_of_lane < Ints(static_cast<std::uint32_t>(places.size()));
-      const auto of_pixels = [&](std::uint32_t PixelPlace::*coordinate) {
-        if (samples == vector_lanes) return halves(places.front().*coordinate, places.back().*coordinate);
-        return gather(&(places.front().*coordinate), select(inside, pixel_of_lane, Ints(0u)) << 1);  // in words
+      const auto pixels = wanted.pixels.subspan(next, std::min(pixels_at_once, wanted.pixels.size() - next));
+      const Mask inside = pixel_of_lane < Ints(static_cast<std::uint32_t>(pixels.size()));
+      const auto of_pixels = [&](std::uint32_t Pixel::*coordinate) {
+        if (samples == vector_lanes) return halves(pixels.front().*coordinate, pixels.back().*coordinate);
+        return gather(&(pixels.front().*coordinate), select(inside, pixel_of_lane, Ints(0u)) << 1);  // in words
       };
-      const Ints column = of_pixels(&PixelPlace::x), row = of_pixels(&PixelPlace::y);
-      const PixelSampler pixel(column, row, frame.settings.seed);
+      const Ints column = of_pixels(&Pixel::x), row = of_pixels(&Pixel::y);
+      const PixelSampler sampler(column, row, frame.settings.seed);
       PixelSums sums;
-      add_packet(pixel, column, row, first, samples, inside & samples_wanted(first, samples), sums);
-      add_to_film(frame, film, places, sums, samples);
+      add_packet(sampler, column, row, first, samples, inside & samples_wanted(first, samples), sums);
+      add_to_film(frame, film, pixels, sums, samples);
     }
   }
 

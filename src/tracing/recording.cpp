@@ -16,13 +16,11 @@ void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::
   const std::uint32_t end = first + together < count ? first + together : count;
   double color[3] = {};
   FilmView film;
-  film.color = color;
-  film.x0 = x;
-  film.y0 = y;
-  film.width = 1;
+  film.pixels = {x, y, x + 1, y + 1};
+  film.add({Layer::color, 3, color});
   RayCounts counts;
   RayRecorder recorder(frame.world, listener, static_cast<int>(sample - first));
-  const PixelPlace pixel{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
+  const Pixel pixel{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
   PacketRenderer{frame, film, {{&pixel, 1}, first, end}, counts, recorder}.render();
 }
 

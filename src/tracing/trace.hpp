@@ -143,7 +143,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     Floats visible = Floats(1);
     shadow.direction = sample.toward;
     if (settings.shadows && any(lit)) {
-      shadow.coherent = light.kind != LightKind::disk && place == tree_root;
+      shadow.coherent = !light.has_area && place == tree_root;
       visible = visibility(c, shadow, sample.distance, lit);
     }
     c.recorder.shadow(number, shadow, sample.distance, lit, visible, depth);
@@ -158,7 +158,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   };
   const std::uint32_t light_count = static_cast<std::uint32_t>(c.frame.lights.size());
   for (std::uint32_t number = 0; number < light_count; number++) {
-    const bool has_area = c.frame.lights[number].kind == LightKind::disk;
+    const bool has_area = c.frame.lights[number].has_area;
     const std::uint32_t points = has_area ? rays_of_hit(settings.shadow_rays, place) : 1;
     for (std::uint32_t k = 0; k < points; k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};

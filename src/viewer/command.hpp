@@ -1,4 +1,4 @@
-// What a key asks the window to do.
+// The commands that keys give to the window.
 #pragma once
 
 #include "picture/effect.hpp"
@@ -43,14 +43,14 @@ struct KeyHelp {
 inline constexpr KeyHelp key_help[] = {
     {"1 .. 9", "scene s01a.cli .. s09a.cli of the folder; with Shift its twin, s01b.cli .. s09b.cli"},
     {"H or ?", "this help"},
-    {"Space", "pause, and go on"},
-    {"R", "again from scratch"},
-    {"+ and -", "twice as many rays per pixel, or half"},
+    {"Space", "pause and resume"},
+    {"R", "read the scene again and start from scratch"},
+    {"+ and -", "twice or half as many rays per pixel"},
     {"S", "save the picture as a PNG"},
     {"C", "copy the changed settings as lines of the scene language"},
     {"F", "focus the lens at the cursor"},
     {"P", "next sampler"},
-    {"A L M D G T", "with and without: antialiasing, lens, motion, disk lights, gloss, translucency"},
+    {"A L M D G T", "switch on and off: antialiasing, lens, motion, disk lights, gloss, translucency"},
     {"V", "split view: P and the effects change the right half; drag the divider"},
     {"E, Shift+E", "brighter, darker"},
     {"wheel, drag", "zoom, pan"},

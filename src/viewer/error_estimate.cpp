@@ -24,7 +24,7 @@ void ErrorEstimate::add(std::uint32_t rays, std::span<const float> colors, bool 
   const bool comparable = colors_.size() == colors.size();
   rays_ = rays;
   if (afresh) {
-    // One ray goes elsewhere than any of several.
+    // A single ray goes through another point than any of several.
     if (comparable && known_rays_ > 1 && rays > known_rays_) {
       variance_ = mean_square_difference(colors, colors_) / (1 + static_cast<double>(rays) / known_rays_);
     }

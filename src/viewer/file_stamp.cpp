@@ -7,7 +7,7 @@ namespace penumbra {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
-// A file system notes times by a clock that is behind by up to a tick of the kernel.
+// A file system takes its times from a clock that lags by up to a tick of the kernel.
 constexpr std::int64_t clock_tick = 12'000'000;
 
 std::int64_t nanoseconds_of(const timespec& time) { return time.tv_sec * second + time.tv_nsec; }
@@ -31,7 +31,7 @@ FileStamp stamp_of(const std::filesystem::path& path, StampClock before) {
   stamp.size = static_cast<std::uint64_t>(status.st_size);
   stamp.modified = nanoseconds_of(status.st_mtim);
   stamp.changed = nanoseconds_of(status.st_ctim);
-  // A time in the future says nothing.
+  // A time in the future means nothing.
   stamp.unsure =
       stamp.changed > before.nanoseconds - clock_tick && stamp.changed < StampClock::now().nanoseconds + second;
   return stamp;

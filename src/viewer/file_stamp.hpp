@@ -1,4 +1,4 @@
-// Whether a file is still the one that was read. Editors save in place or by renaming; both change its stamp.
+// Detects whether a file has changed since it was read. Editors save in place or by renaming; both change its stamp.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct StampClock {
 struct FileStamp {
   std::filesystem::path path;
   bool exists = false;
-  // It was written at about the time when it was read, so what was read may be older than this stamp.
+  // It was written at about the time it was read, so what was read may be older than this stamp.
   bool unsure = false;
   std::uint64_t device = 0, inode = 0, size = 0;
   std::int64_t modified = 0, changed = 0;  // nanoseconds
@@ -28,11 +28,11 @@ FileStamp stamp_of(const std::filesystem::path& path, StampClock before);
 
 enum class FileChange {
   none,
-  fresh,  // within the last moments: whoever writes may not be done, and a stamp could not tell what comes next
+  fresh,  // changed just now: the writer may not be done, and the stamp may not show the next change
   settled
 };
 
-// Whether any of the files is another now, has come or gone, or was unsure.
+// Whether any of the files has changed, appeared or vanished, or was unsure.
 FileChange change_of(const std::vector<FileStamp>& files);
 
 }  // namespace penumbra

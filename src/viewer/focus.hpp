@@ -1,4 +1,4 @@
-// How far away is what a pixel shows: where to put the plane in focus.
+// The distance of what a pixel shows: where to put the plane in focus.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace penumbra {
 
-// The distance along -w of what the ray from the eye through the place (x, y) of the picture, in pixels, hits first
-// when the shutter opens; nothing if it hits nothing.
+// The distance, along -w, of the first hit of the ray from the eye through the point (x, y) of the picture, in pixels,
+// at the time when the shutter opens; nothing if it hits nothing.
 std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y);
 
 }  // namespace penumbra

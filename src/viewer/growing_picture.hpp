@@ -10,11 +10,11 @@
 
 namespace penumbra {
 
-// A world that may serve other pictures of the same scene: those whose shutter is not open for longer.
+// A world that can serve other pictures of the same scene: those whose shutter interval lies within its own.
 struct BuiltWorld {
   std::shared_ptr<const Scene> scene;  // as loaded
   double shutter_open = 0, shutter_close = 0;
-  std::shared_ptr<const Frame> frame;  // that has it
+  std::shared_ptr<const Frame> frame;  // whose world it is
 
   bool serves(const std::shared_ptr<const Scene>& loaded, const Camera& camera) const {
     return frame && loaded == scene && shutter_open <= camera.shutter_open && camera.shutter_close <= shutter_close;
@@ -23,17 +23,17 @@ struct BuiltWorld {
 
 class GrowingPicture {
  public:
-  // Takes `world` if it serves, or else puts its own there. Throws what make_frame throws.
+  // Uses `world` if it serves; otherwise builds one and puts it there. Throws what make_frame throws.
   GrowingPicture(const LoadedScene& loaded, const PictureOptions& options, BuiltWorld& world, int threads);
 
   bool needs_count() const;
   bool needs_whole_packets() const { return !frame_->world.meshes.empty(); }
 
-  // Makes the tables of a pass and room for it. This cannot be stopped.
+  // Makes the tables of a pass and a film for it. This cannot be stopped.
   void prepare(const Pass& pass);
-  // Draws the pass that was prepared; false if it was stopped. The picture stays as it was until the pass is kept.
+  // Draws the prepared pass; false if it was stopped. The picture is unchanged until the pass is kept.
   bool draw(const Kernel& kernel, int threads, RenderState& state);
-  // Makes the pass that was drawn last part of the picture.
+  // Makes the pass just drawn part of the picture.
   void keep();
   std::uint64_t rays_sent() const { return rays_sent_; }
 

@@ -12,18 +12,25 @@
 namespace penumbra {
 namespace {
 
-// Plotting many samples of a scene where each has thousands of rays would hold up the window.
+// Plotting many samples of a scene where each has thousands of rays would block the window.
 constexpr std::chrono::milliseconds patience(15);
 constexpr std::size_t most_rays_of_plotted_sample = 1024;
 
-// The coordinate of p along an axis whose length is one unit.
-double along(const float (&axis)[3], const float (&p)[3], const float (&origin)[3]) {
-  double product = 0, square = 0;
+struct InPlane {
+  double u, v;
+};
+
+// The coordinates of p in the plane through `origin` spanned by u and v, in units of u and v.
+InPlane in_plane(const float (&u)[3], const float (&v)[3], const float (&origin)[3], const float (&p)[3]) {
+  double uu = 0, uv = 0, vv = 0, pu = 0, pv = 0;
   for (int i = 0; i < 3; i++) {
-    product += (double{p[i]} - origin[i]) * axis[i];
-    square += double{axis[i]} * axis[i];
+    const double x = double{p[i]} - origin[i];
+    uu += double{u[i]} * u[i], uv += double{u[i]} * v[i], vv += double{v[i]} * v[i];
+    pu += x * u[i], pv += x * v[i];
   }
-  return square > 0 ? product / square : 0;
+  const double determinant = uu * vv - uv * uv;
+  if (!(determinant > 0)) return {0, 0};
+  return {(pu * vv - pv * uv) / determinant, (pv * uu - pu * uv) / determinant};
 }
 
 class Plotter {
@@ -33,7 +40,7 @@ class Plotter {
     if (frame.camera.has_lens) lens_ = add("on the lens", -1);
     if (frame.camera.shutter_length != 0) time_ = add("in time", 0);
     for (std::size_t i = 0; i < frame.lights.size(); i++) {
-      light_.push_back(frame.lights[i].kind == LightKind::disk ? add(fmt::format("on light {}", i + 1), -1) : -1);
+      light_.push_back(frame.lights[i].has_area ? add(fmt::format("on light {}", i + 1), -1) : -1);
     }
   }
 
@@ -44,16 +51,16 @@ class Plotter {
     dot.sample = sample;
     std::copy_n(eye.came_back, 3, dot.color);
     const bool spread = camera.pixel_width != 0;
-    put(pixel_, dot, spread ? u : 0.5, spread ? v : 0.5);
-    put(lens_, dot, along(camera.lens_u, eye.origin, camera.eye), along(camera.lens_v, eye.origin, camera.eye));
-    if (time_ >= 0) put(time_, dot, (eye.time - camera.shutter_open) / camera.shutter_length, 0.5);
+    put(pixel_, dot, spread ? InPlane{u, v} : InPlane{0.5, 0.5});
+    put(lens_, dot, in_plane(camera.lens_u, camera.lens_v, camera.eye, eye.origin));
+    if (time_ >= 0) put(time_, dot, {(eye.time - camera.shutter_open) / camera.shutter_length, 0.5});
     for (const RecordedRay& ray : tree.rays) {
       if (ray.kind != RayKind::shadow || ray.parent != 0) continue;
-      const FrameLight& light = frame_.lights[ray.light];
       float point[3];
       for (int i = 0; i < 3; i++) point[i] = ray.origin[i] + ray.direction[i] * ray.light_distance;
-      put(light_[ray.light], dot, along(light.disk_u, point, light.position),
-          along(light.disk_v, point, light.position));
+      with_light(frame_.lights[ray.light], [&]<typename Kind>(const Kind& light) {
+        if constexpr (Kind::has_area) put(light_[ray.light], dot, in_plane(light.u, light.v, light.center, point));
+      });
     }
   }
 
@@ -64,10 +71,10 @@ class Plotter {
     plots_.push_back({std::move(name), low, {}});
     return static_cast<int>(plots_.size()) - 1;
   }
-  void put(int plot, SampleDot dot, double u, double v) {
+  void put(int plot, SampleDot dot, InPlane place) {
     if (plot < 0) return;
-    dot.u = u;
-    dot.v = v;
+    dot.u = place.u;
+    dot.v = place.v;
     plots_[static_cast<std::size_t>(plot)].dots.push_back(dot);
   }
 
@@ -77,7 +84,7 @@ class Plotter {
   std::vector<int> light_;
 };
 
-// As one word of a shell.
+// The text as one word of a shell command.
 std::string quoted(const std::string& text) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

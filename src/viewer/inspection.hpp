@@ -17,7 +17,7 @@ struct InspectedSample {
   bool operator==(const InspectedSample&) const = default;
 };
 
-// A sample, where it lies in one of the pixel's sets of points.
+// Where a sample lies in one of the pixel's point sets.
 struct SampleDot {
   double u = 0, v = 0;
   std::uint32_t sample = 0;
@@ -32,15 +32,15 @@ struct DotPlot {
 
 struct Inspection {
   InspectedSample at;
-  std::array<float, 3> so_far{};  // the pixel's value, of all its samples
+  std::array<float, 3> so_far{};  // the pixel's value: the mean of all its samples
   RayTree tree;
   std::string text;
-  std::string command;         // of `penumbra render` that prints the same text
-  std::vector<DotPlot> plots;  // in the pixel, on the lens, in time, on each disk light
-  std::uint32_t shown = 0;     // the first so many samples are in the plots
+  std::string command;         // the call of `penumbra render` that prints the same text
+  std::vector<DotPlot> plots;  // in the pixel, on the lens, in time, on each light with an area
+  std::uint32_t shown = 0;     // how many samples, from the first on, are in the plots
 };
 
-// The most samples that are plotted.
+// At most this many samples are plotted.
 inline constexpr std::uint32_t most_plotted_samples = 256;
 
 // The sample and the pixel must be in the picture.

@@ -1,4 +1,4 @@
-// A scene file as the window wants it: its last picture, what is wrong with it, and the files it was read from.
+// A scene file as the window needs it: its last picture, its errors and warnings, and the files it was read from.
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,10 @@ struct LoadedScene {
   std::shared_ptr<const Scene> scene;  // of the last picture; null if there is any error
   std::vector<PaintedRect> rects;      // of the last picture
   std::vector<Diagnostic> diagnostics;
-  std::vector<FileStamp> files;  // all that the scene consists of, as they were when it was read
+  std::vector<FileStamp> files;  // all files of the scene, as they were when it was read
 };
 
-// Never throws for what the files contain.
+// Never throws because of the contents of the files.
 LoadedScene load_scene(const std::filesystem::path& path, const ReadOptions& options);
 
 }  // namespace penumbra

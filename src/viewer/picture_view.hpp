@@ -1,4 +1,4 @@
-// Where the picture lies in the window: zoom and pan. Pixels of the window and of the picture; places are from the top
+// Where the picture is in the window: zoom and pan. Places are in pixels, of the window or of the picture, from the top
 // left.
 #pragma once
 
@@ -16,20 +16,20 @@ struct WindowArea {
 
 class PictureView {
  public:
-  // The part of the window where the picture may be. Until the user moves it, the picture is in the middle of it, as
-  // large as a whole zoom allows.
+  // The part of the window that is free for the picture. Until the user moves it, the picture is centred there, at the
+  // largest step of the zoom, up to 4, at which it fits.
   void set_area(const WindowArea& area);
   void set_picture_size(int width, int height);
   void fit();
 
   void pan(double dx, double dy);
-  // To the next larger or smaller zoom; what is at `place` stays there.
+  // Zooms in by this many steps, or out if negative; what is at `place` stays there.
   void zoom(int steps, PlaceInWindow place);
 
   double zoom_factor() const { return zoom_; }
   // The picture's rectangle; always whole pixels.
   WindowArea picture() const;
-  // The pixel at a place of the window, if it is one of the picture's.
+  // The picture's pixel at a place of the window, if there is one.
   struct Pixel {
     int x = 0, y = 0;
     bool operator==(const Pixel&) const = default;

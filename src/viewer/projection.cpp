@@ -7,7 +7,7 @@ namespace {
 
 Vec3 vec(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-// Of P - eye = t (x per_x + y per_y + corner): t, t x and t y.
+// t, t x and t y of P - eye = t (x per_x + y per_y + corner).
 struct Homogeneous {
   double tx, ty, t;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The threads that draw passes come from this one and are as modest: a thread that wakes up to answer a key comes
+// Threads that draw passes are started by this one and inherit its policy: a thread that wakes up to answer a key comes
 // first.
 void give_way() {
   const sched_param none{};
@@ -120,7 +120,7 @@ void RefineWorker::publish(std::shared_ptr<const Refinement> picture) {
 
 bool RefineWorker::wait_for_work(std::uint32_t rays, bool done, std::uint32_t limit) {
   std::unique_lock lock(mutex_);
-  // Whoever pauses still wants to see the first picture of what comes next.
+  // Even while paused, the first picture of a new task is drawn.
   const auto is_waiting = [&] { return done || (paused_ && rays > 0); };
   changed_.wait(lock, [&] { return is_over() || limit_ != limit || !is_waiting(); });
   if (is_over()) return false;
@@ -174,7 +174,7 @@ bool RefineWorker::grow(const std::shared_ptr<const LoadedScene>& loaded, const 
 void RefineWorker::work_on(const RefineTask& task) try {
   const std::shared_ptr<const LoadedScene> loaded = loaded_scene(task);
   if (!loaded) return;
-  // A picture that has more rays than it should have by now is drawn anew.
+  // A picture with more rays than the new limit is drawn again.
   while (grow(loaded, task.sides)) {
   }
 } catch (const std::exception& e) {

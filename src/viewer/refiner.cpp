@@ -7,7 +7,7 @@
 namespace penumbra {
 namespace {
 
-// How long a new task waits for the old one to be left.
+// How long a new task waits for the old one to stop.
 constexpr std::chrono::milliseconds patience(40);
 
 }  // namespace
@@ -30,7 +30,7 @@ std::uint64_t Refiner::show(RefineTask task) {
   return task_;
 }
 
-// A worker that cannot leave what it does is left to itself. More than two of these would starve the next picture.
+// A worker that cannot stop soon is left to finish by itself. More than two of these would starve the next picture.
 void Refiner::replace_busy_worker() {
   if (worker_->has_begun() || std::chrono::steady_clock::now() < shown_at_ + patience) return;
   std::erase_if(retired_, [](const auto& worker) { return worker->has_ended(); });

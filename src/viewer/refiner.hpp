@@ -1,5 +1,5 @@
-// Pictures that grow in the background. Whoever watches says what it wants to see and takes what there is; nothing it
-// calls here waits for a pass, for a file or for a world to be built.
+// Pictures that grow in the background. The caller says what to show and takes the pictures as they come; no function
+// but close() waits for a pass, for a file or for a world to be built.
 #pragma once
 
 #include <chrono>
@@ -17,15 +17,15 @@
 
 namespace penumbra {
 
-// What is to be seen: one picture, or two of the same scene beside each other at equal rays.
+// What to show: one picture, or two of the same scene side by side, with equal numbers of rays.
 struct RefineTask {
   std::filesystem::path path;                 // read this file,
-  std::shared_ptr<const LoadedScene> loaded;  // unless it was read already
+  std::shared_ptr<const LoadedScene> loaded;  // unless it is already loaded
   std::vector<PictureOptions> sides;
   std::uint32_t limit = 0;  // rays per pixel; 0: as many as there is time for
 };
 
-// One picture after a number of whole passes.
+// One picture after a number of complete passes.
 struct RefinedSide {
   PictureOptions options;
   std::shared_ptr<const Scene> scene;  // with the options
@@ -37,18 +37,18 @@ struct RefinedSide {
 struct Refinement {
   std::uint64_t task = 0;  // which call of `show` this belongs to
   std::shared_ptr<const LoadedScene> loaded;
-  std::uint32_t rays = 0;  // per pixel; what is seen is the picture of `penumbra render --rays` with this number
+  std::uint32_t rays = 0;  // per pixel; this is the picture of `penumbra render --rays` with this number
   std::vector<RefinedSide> sides;
   double seconds = 0;           // of rendering, for this picture
   std::uint64_t rays_sent = 0;  // of all kinds
   bool done = false;            // the limit is reached
 };
 
-// What came since it was last asked for.
+// What is new since the last call of take().
 struct RefinerNews {
   std::shared_ptr<const LoadedScene> loaded;  // a file was read, with or without errors
   std::shared_ptr<const Refinement> picture;
-  std::string failure;  // the scene was good and yet cannot be rendered
+  std::string failure;  // why a scene without errors cannot be rendered; else empty
 };
 
 class RefineWorker;
@@ -61,18 +61,18 @@ class Refiner {
   Refiner(const Refiner&) = delete;
   Refiner& operator=(const Refiner&) = delete;
 
-  // Leaves whatever is under way and starts this. Returns the number of the task.
+  // Abandons the current task and starts this one. Returns its number.
   std::uint64_t show(RefineTask task);
-  // Of what is being shown: goes on to this many rays, or begins again if it has more.
+  // Refines the current picture up to this many rays per pixel, or starts it again if it has more.
   void set_limit(std::uint32_t limit);
   void pause(bool paused);
 
-  // News of the last task only. To be called every now and then: it also sees to it that a task is not held up by one
-  // before it that cannot be stopped.
+  // News of the last task only. Must be called regularly: it also starts a new worker if a task waits for an earlier
+  // one that cannot be stopped.
   RefinerNews take();
 
-  // Stops everything. False if something is still busy after this long that cannot be stopped, such as the reading of
-  // a large file; it then goes on in the background and its result is dropped.
+  // Stops everything. False if something that cannot be stopped, such as reading a large file, is still running after
+  // `wait`; it then continues in the background, and its result is dropped.
   bool close(std::chrono::milliseconds wait);
 
  private:

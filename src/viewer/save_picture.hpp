@@ -1,4 +1,4 @@
-// Writing what is seen, so that `penumbra render` repeats it byte for byte from the file's own metadata.
+// Saves what the window shows, so that `penumbra render` can repeat it byte for byte from the file's own metadata.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace penumbra {
 
 // Writes each side to a PNG in `folder`: SCENE-view.png, or SCENE-view-left.png and SCENE-view-right.png, with -2, -3
-// and so on if there are such files already. Returns their names. Throws FileError.
+// and so on if these files exist already. Returns their paths. Throws FileError.
 std::vector<std::filesystem::path> save_picture(const Refinement& picture, int exposure_halves,
                                                 const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// Which scenes a window shows: the file it was given, or those of a folder, by the keys 1-9 and Shift+1-9.
+// Which scenes a window shows: the given file, or those of a folder, by the keys 1-9 and Shift+1-9.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@ namespace penumbra {
 // s0Na.cli of the folder, or s0Nb.cli for the twin; 1 <= number <= 9.
 std::filesystem::path scene_of_key(const std::filesystem::path& folder, int number, bool twin);
 
-// The scene to begin with: `given` itself, or of a folder the first of s01a.cli, s01b.cli, ..., or else the first .cli
-// file by name. Empty where the folder has none.
+// The scene to begin with: `given` itself; if that is a folder, the first of its s01a.cli, s01b.cli, ..., or else its
+// first .cli file by name. Empty if it has none.
 std::filesystem::path first_scene(const std::filesystem::path& given);
 
 // The folder whose scenes the keys load.

@@ -15,7 +15,7 @@ namespace penumbra {
 namespace {
 
 constexpr std::chrono::milliseconds look_interval(25);
-// A file that is written again and again is read all the same.
+// A file that never stops changing is read after this time anyway.
 constexpr std::chrono::milliseconds longest_freshness(100);
 constexpr std::chrono::seconds message_duration(4);
 
@@ -206,10 +206,10 @@ void Session::focus(PlaceInWindow cursor) {
   const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
   const double middle = frame.settings.course ? 0.0 : 0.5;
   const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
-  if (!distance) return say("there is nothing at the cursor to focus at");
+  if (!distance) return say("there is nothing at the cursor to focus on");
   const double radius = scene_with_all_effects().camera.lens_radius;
   change([=](PictureOptions& o) { o.lens = {radius, *distance}; });
-  say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so all is sharp" : ""));
+  say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so everything is sharp" : ""));
 }
 
 int Session::side_of(PictureView::Pixel pixel) const {
@@ -234,7 +234,7 @@ void Session::step_sample(int by) {
   if (at != inspection_->at) inspection_ = inspect(*picture_, *kernel_, at);
 }
 
-// The picture is another one: with more samples, of other settings, of another scene.
+// The picture has changed: it has more samples, other settings, or another scene.
 void Session::inspect_again() {
   if (!inspection_) return;
   InspectedSample at = inspection_->at;
@@ -248,7 +248,7 @@ void Session::inspect_again() {
 void Session::set_split(bool split) {
   split_ = split;
   if (!split) return;
-  // Something to compare: independent random samples, or what is usual instead of them.
+  // Something to compare with: independent random samples, or the default pattern if those are on the left.
   sides_[1] = sides_[0];
   const bool random = loaded_ && sampler(0) == Pattern::random;
   sides_[1].sampler = random ? default_pattern : Pattern::random;

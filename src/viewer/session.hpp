@@ -1,5 +1,5 @@
-// Everything the window knows but how to draw it: the scene, what was changed of it, the picture so far, what went
-// wrong. Commands and knobs come in, news of the Refiner is taken at `poll`; nothing here waits.
+// Everything the window knows except how to draw it: the scene, the changes to it, the picture so far, errors. It takes
+// commands, changes of knobs and, in poll(), news of the Refiner; nothing here but close() waits.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ namespace penumbra {
 struct SessionOptions {
   std::filesystem::path given;  // a scene or a folder
   std::filesystem::path save_folder = ".";
-  PictureOptions picture;  // of the command line
+  PictureOptions picture;  // from the command line
   int threads = 1;
   const Kernel* kernel = nullptr;
 };
@@ -28,11 +28,11 @@ class Session {
  public:
   Session(const SessionOptions& options, std::function<void()> notify);
 
-  // Takes the news and looks at the files. True if anything is to be drawn anew.
+  // Takes the news and checks the files. True if the window must be redrawn.
   bool poll();
-  // `cursor`: where the mouse is. Copying is left to the caller, who has the clipboard.
+  // `cursor`: where the mouse is. Copying is left to the caller, which has the clipboard.
   void obey(const ViewCommand& command, PlaceInWindow cursor);
-  // Looks into the pixel at a place of the window, or at none if it is the same again or outside the picture.
+  // Inspects the pixel at a place of the window, or none if it is the same one again or outside the picture.
   void inspect_at(PlaceInWindow place);
   bool wants_to_quit() const { return quit_; }
   // False if something cannot be stopped within this time.
@@ -40,9 +40,9 @@ class Session {
 
   void open(const std::filesystem::path& scene);
 
-  // Knobs. Each change draws the picture anew.
+  // Knobs. Each change redraws the picture.
   const Scene* scene() const { return loaded_ ? loaded_->scene.get() : nullptr; }  // as read; null before the first
-  // The left side's scene, as if no effect were left out: what knobs show.
+  // The left side's scene with no effect switched off: what the knobs show.
   Scene scene_with_all_effects() const;
   // Changes the options of both sides, or of one.
   void change(const std::function<void(PictureOptions&)>& set);
@@ -50,7 +50,7 @@ class Session {
   std::uint32_t limit() const { return limit_; }  // rays per pixel; 0: as many as there is time for
   void set_limit(std::uint32_t rays);
   void forget_changes();
-  // With the options of one side.
+  // The scene with the options of one side.
   Scene changed_scene(int side) const { return with_options(*loaded_->scene, options(side)); }
   Pattern sampler(int side) const { return changed_scene(side).settings.pattern; }
   const PictureOptions& options(int side) const { return sides_[static_cast<std::size_t>(side)]; }
@@ -59,7 +59,7 @@ class Session {
   const std::filesystem::path& path() const { return path_; }
   const std::shared_ptr<const Refinement>& picture() const { return picture_; }  // the last good one; may be null
   bool picture_is_current() const { return picture_ && picture_->task == task_; }
-  const std::string& error() const { return error_; }  // to be shown over the picture; empty for none
+  const std::string& error() const { return error_; }  // shown over the picture; empty for none
   int error_line() const { return error_line_; }       // 0: none
   const std::string& message() const { return message_; }
   void say(std::string message);
@@ -67,7 +67,7 @@ class Session {
   bool paused() const { return paused_; }
   bool split() const { return split_; }
   int side_count() const { return split_ ? 2 : 1; }
-  double divider() const { return divider_; }  // share of the picture's width
+  double divider() const { return divider_; }  // as a fraction of the picture's width
   void set_divider(double share);
   int exposure_halves() const { return exposure_halves_; }
   PictureView& view() { return view_; }
@@ -91,7 +91,7 @@ class Session {
   int side_of(PictureView::Pixel pixel) const;
   void note(const LoadedScene& loaded);
   void look_at_files(Clock::time_point now);
-  // A scene that was read again may have fewer lights and surfaces.
+  // Drops the options for lights and surfaces that the scene, read again, no longer has.
   void forget_missing_numbers();
 
   std::filesystem::path folder_, save_folder_;
@@ -103,7 +103,7 @@ class Session {
   std::vector<FileStamp> watched_;
   Clock::time_point next_look_{}, fresh_since_{};
   bool reading_ = false;
-  std::vector<PictureOptions> sides_;  // left and right; the right one counts in the split view only
+  std::vector<PictureOptions> sides_;  // left and right; the right one matters only in the split view
   std::uint32_t limit_ = 0;
   bool split_ = false, paused_ = false, help_ = false, quit_ = false;
   double divider_ = 0.5;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A frame in 24 shards and an animation of 12 frames on a Slurm of three nodes, undisturbed, and then with all that can go
-wrong on a cluster: whatever happens, the pictures are the files that one machine writes, to the byte, and nothing is
-rendered twice but what was lost.
+"""A frame in 24 shards and an animation of 12 frames on a Slurm cluster of three nodes, first undisturbed, then with
+everything that can go wrong on a cluster: whatever happens, the pictures are the files that one machine writes, to the
+byte, and nothing is rendered twice except what was lost.
 
 usage: cluster_test.py --penumbra build/release/penumbra"""
 
@@ -26,7 +26,7 @@ FRAMES = 12
 # Enough rays for each part to be caught while it is rendered.
 OPTIONS = ["--size", "480x270", "--rays", "192", "--aov", "depth,samples"]
 ANIMATION = ["--frames", f"1-{FRAMES}", "--size", "240x180", "--rays", "256"]
-PATIENCE = 150  # seconds for one job, also where the processors are busy with other things
+PATIENCE = 150  # seconds for one job, even if the processors are busy with other things
 
 
 PART = r"(\d+)(\.\d+)?\.exr"
@@ -38,7 +38,7 @@ def require(condition, what):
 
 
 class Farm:
-    """One job and what is known of it."""
+    """One job and what is known about it."""
 
     def __init__(self, penumbra, cluster, folder, scene):
         self.penumbra, self.cluster = penumbra, cluster
@@ -62,7 +62,7 @@ class Farm:
         return json.loads(self.run("status", self.output, "--json"))
 
     def parts(self):
-        """The files of the parts that are there and their units, the oldest first."""
+        """The files of the parts that exist, by their units, the oldest first."""
         with os.scandir(os.path.join(self.folder, "parts")) as entries:
             found = [(entry.stat().st_mtime, entry.path) for entry in entries if re.fullmatch(PART, entry.name)]
         return {int(os.path.basename(path).split(".")[0]): path for _, path in sorted(found)}
@@ -106,7 +106,7 @@ class Farm:
         return text
 
     def counts(self, pattern):
-        """How often a line is in the logs, for each unit."""
+        """How often a line occurs in the logs, for each unit."""
         found = [int(unit) for unit in re.findall(pattern, self.log(), re.MULTILINE)]
         return {unit: found.count(unit) for unit in set(found)}
 
@@ -117,7 +117,7 @@ class Farm:
         return self.counts(r"^parts/(\d+)(?:\.\d+)?\.exr: \d+x\d+ pixels")
 
     def require_pictures(self, expected):
-        """Those of one machine, which lie in the folder `expected`."""
+        """Requires the pictures of one machine, which are in the folder `expected`."""
         names = sorted(os.listdir(expected))
         require(len(names) == self.frames, names)
         for name in names:
@@ -183,11 +183,11 @@ def disturbed(farm, expected, units, words):
     status = farm.status()
     require(not status["slurm"] and status["unknown"] and status["done"] > 0, status)
     farm.run("collect", farm.output, code=65)
-    print("  the controller is dead; status goes on", flush=True)
+    print("  the controller is dead; status still works", flush=True)
     time.sleep(1)
     cluster.restart_controller()
     cluster.declare_down("n2")
-    wait_until(lambda: farm.begun().get(killed, 0) == 2, PATIENCE, f"second turn of {killed}", cluster.hurry)
+    wait_until(lambda: farm.begun().get(killed, 0) == 2, PATIENCE, f"second start of {killed}", cluster.hurry)
     cluster.start_node("n2")
 
     farm.wait()
@@ -203,14 +203,14 @@ def disturbed(farm, expected, units, words):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--penumbra", required=True)
-    parser.add_argument("--keep", action="store_true", help="leave the folder of the cluster for a look")
+    parser.add_argument("--keep", action="store_true", help="keep the folder of the cluster for inspection")
     arguments = parser.parse_args()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # the cluster is stopped before
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # stops the cluster first
     penumbra = os.path.abspath(arguments.penumbra)
     scratch = tempfile.mkdtemp(prefix="penumbra-cluster-")
     start = time.monotonic()
     try:
-        work = os.path.join(scratch, "it's 100% \"odd\" $HOME")  # names are not to matter
+        work = os.path.join(scratch, "it's 100% \"odd\" $HOME")  # names must not matter
         os.mkdir(work)
         jobs = {"frame": ("demo", 1, SHARDS, OPTIONS, ["--shards", str(SHARDS)]),
                 "animation": ("carousel", FRAMES, FRAMES, ANIMATION, ["--shards", "1"])}
@@ -230,7 +230,7 @@ def main():
         print(f"the cluster's pictures are those of one machine ({time.monotonic() - start:.0f} s)")
     finally:
         if arguments.keep:
-            print(f"left for a look: {scratch}", file=sys.stderr)
+            print(f"kept for inspection: {scratch}", file=sys.stderr)
         else:
             shutil.rmtree(scratch, ignore_errors=True)
 

@@ -1,5 +1,5 @@
-"""A Slurm of three nodes on this machine: munged, slurmctld and three slurmd, all on 127.0.0.1 and all below one folder.
-Exactly these are stopped in the end, by their process ids."""
+"""A Slurm cluster of three nodes on this machine: munged, slurmctld and three slurmd, all on 127.0.0.1 and all below
+one folder. In the end, exactly these are stopped, by their process ids."""
 
 import getpass
 import os
@@ -56,7 +56,7 @@ PartitionName=render Nodes=n[1-3] Default=YES MaxTime=INFINITE State=UP
 
 
 def wait_until(condition, seconds, what, meanwhile=lambda: None):
-    """The first value of `condition` that counts as true."""
+    """Waits for `condition` to be true and returns its value."""
     end = time.monotonic() + seconds
     while not (value := condition()):
         if time.monotonic() > end:
@@ -77,7 +77,7 @@ def free_ports(count):
 
 
 class Process:
-    """What /proc tells of a process."""
+    """What /proc says about a process."""
 
     def __init__(self, pid):
         self.pid = pid
@@ -86,7 +86,7 @@ class Process:
         self.parent = int(self.status()[1])
 
     def status(self):
-        """Its state, a letter; its parent; and so on. Nothing if it is gone."""
+        """Its state, a letter; its parent; and so on. The state is X if it is gone."""
         try:
             with open(f"/proc/{self.pid}/stat", encoding="utf-8", errors="replace") as file:
                 return file.read().rpartition(")")[2].split()
@@ -151,7 +151,7 @@ class LoopCluster:
         self.stop()
 
     def tell(self):
-        """What Slurm has to say, for who looks for the reason of a failure."""
+        """Prints what Slurm reports, to help find the reason of a failure."""
         for words in [["squeue", "-r", "-o", "%i %T %r %S %N"], ["sinfo", "-N", "-o", "%N %T %E"]]:
             print(self.ask(*words), file=sys.stderr)
         with open(f"{self.root}/log/ctld.log", encoding="utf-8", errors="replace") as log:
@@ -168,14 +168,13 @@ class LoopCluster:
         wait_until(lambda: self.ask("sinfo") is not None, 30, "answer of the controller")
 
     def kill_controller(self, moment):
-        """Not before it has written down what it knew at that time: it does so every few seconds, and forgets the
-        rest."""
+        """Kills it once it has saved what it knew at that moment: it saves every few seconds, and forgets the rest."""
         wait_until(lambda: os.path.getmtime(f"{self.root}/ctld/job_state") > moment, 30, "saved state of the controller")
         self.kill("slurmctld")
 
     def restart_controller(self):
         self.start_controller()
-        self.reports_due = time.monotonic() + 10  # before, it still believes its own memory
+        self.reports_due = time.monotonic() + 10  # until then, it trusts the state that it saved
 
     def start_node(self, node):
         self.start(node, "slurmd", "-D", "-N", node, "-f", self.configuration)
@@ -185,7 +184,7 @@ class LoopCluster:
         self.daemons.pop(name).wait()
 
     def tasks_of(self, node):
-        """The shells of the tasks that run on a node, their parents, which watch over them, and all they started."""
+        """The shells of the tasks that run on a node, their parents, which watch over them, and their children."""
         everything = list(processes())
         shells = [p for p in everything if any(word.startswith(f"{self.root}/spool/{node}/") for word in p.words[1:2])]
         ids = {p.pid for p in shells}
@@ -203,14 +202,14 @@ class LoopCluster:
         return [p for p in processes() if p.words[0].startswith("slurmstepd") and writes_here(p)]
 
     def kill_node(self, node):
-        """As a power cut does."""
+        """Kills a node as a power cut does."""
         victims = self.tasks_of(node)
         self.kill(node)
         for process in victims:
             process.send(signal.SIGKILL)
 
     def declare_down(self, node):
-        """What the controller finds out by itself, later."""
+        """Tells the controller what it would find out by itself later."""
         self.ask("scontrol", "update", f"NodeName={node}", "State=DOWN", "Reason=dead")
 
     def stop(self):
@@ -228,7 +227,7 @@ class LoopCluster:
             process.send(signal.SIGKILL)
 
     def ask(self, *words):
-        """What a command of Slurm prints; None where it fails."""
+        """What a command of Slurm prints; None if it fails."""
         result = subprocess.run(words, capture_output=True, text=True, check=False)
         return result.stdout if result.returncode == 0 else None
 
@@ -237,13 +236,13 @@ class LoopCluster:
                    f"{count} idle nodes")
 
     def hurry(self):
-        """What Slurm does by itself within minutes. What it starts again has to wait for two; and a controller that was
-        killed only learns from the next word of a node that a task it remembers is over."""
+        """Does now what Slurm does by itself within minutes. A task that is started again has to wait for two; and a
+        controller that was killed learns only from the next report of a node that a task it remembers is over."""
         for line in (self.ask("squeue", "-h", "-r", "-t", "PENDING", "-o", "%i %r") or "").splitlines():
             job, reason = line.split(maxsplit=1)
             if reason == "BeginTime":
                 self.ask("scontrol", "update", f"JobId={job}", "StartTime=now")
-            elif "held" in reason:  # "launch failed requeued held": its node still had the task that was forgotten
+            elif "held" in reason:  # "launch failed requeued held": its node still had the forgotten task
                 self.ask("scontrol", "release", job)
         for node in (self.ask("sinfo", "-h", "-N", "-t", "drain", "-o", "%N") or "").split():
             self.ask("scontrol", "update", f"NodeName={node}", "State=RESUME")

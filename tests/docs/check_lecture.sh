@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fails if the scenes, scripts/make-gallery.sh and docs/lecture.md do not fit the program or each other.
+# Fails if the scenes, scripts/make-gallery.sh and docs/lecture.md do not match the program or each other.
 #
 # usage: check_lecture.sh PART PENUMBRA SOURCE_FOLDER
 set -euo pipefail

@@ -24,7 +24,7 @@ TEST(Exr, EveryNumberComesBack) {
     const Image image = test::wild(width, height);
     const ImageFile read = decode_exr(encode_exr(whole_picture(image)), "x.exr");
     EXPECT_EQ(read.image, image);
-    EXPECT_EQ(read.window, (Window{0, 0, width, height}));
+    EXPECT_EQ(read.window, (PixelRect{0, 0, width, height}));
     EXPECT_EQ(read.full_width, width);
     EXPECT_EQ(read.full_height, height);
     EXPECT_TRUE(read.layers.empty());

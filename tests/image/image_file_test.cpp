@@ -57,7 +57,7 @@ TEST(ImageFileDoor, ACroppedPngHasTheSizeOfTheCrop) {
   const TestFolder folder;
   write_image(folder / "a.png", test::crop_with_layers());
   const ImageFile read = read_image(folder / "a.png");
-  EXPECT_EQ(read.window, (Window{0, 0, 13, 9}));
+  EXPECT_EQ(read.window, (PixelRect{0, 0, 13, 9}));
   EXPECT_EQ(read.full_width, 13);
 }
 

@@ -32,7 +32,7 @@ TEST(Png, EightBitsComeBack) {
     const Image image = test::pattern(width, height);
     const ImageFile read = decode_png(encode_png(image, {}, 8, Rounding::nearest), "x.png");
     EXPECT_EQ(read.image, image);
-    EXPECT_EQ(read.window, (Window{0, 0, width, height}));
+    EXPECT_EQ(read.window, (PixelRect{0, 0, width, height}));
     EXPECT_EQ(read.full_width, width);
     EXPECT_EQ(read.full_height, height);
     EXPECT_TRUE(read.metadata.empty());

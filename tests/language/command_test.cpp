@@ -113,7 +113,7 @@ TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
   }
 }
 
-// Every numeric argument of every command in every form is checked for being a number.
+// Every numeric argument of every command in every form must be a number.
 TEST(CommandTable, checksTheKindOfEveryArgument) {
   for (const Command& command : all_commands()) {
     for (const Form& form : command.forms.all()) {
@@ -147,7 +147,7 @@ TEST(CommandTable, isWhatTheReferencePageWasMadeFrom) {
   std::ifstream file(PENUMBRA_ROOT "/docs/language.md");
   std::stringstream page;
   page << file.rdbuf();
-  EXPECT_EQ(page.str(), language_markdown()) << "build the target language_page to write docs/language.md anew";
+  EXPECT_EQ(page.str(), language_markdown()) << "build the target language_page to rewrite docs/language.md";
 }
 
 TEST(Camera, takesAllItsCommands) {
@@ -203,7 +203,7 @@ TEST(Camera, hasTheLaterOfTwoLenses) {
   }
 }
 
-// Two pictures of one file: each has the lens of its place.
+// Two pictures of one file: each has the lens that is set at its line.
 TEST(Camera, keepsTheLensOfAPictureTaken) {
   const SceneFile file = read(light + ball + "camera_lens 1 4 5\nrender\nlens .25 6\nrender\n");
   const std::vector<Picture> list = pictures(file);
@@ -259,9 +259,9 @@ TEST(Lenient, skipsCommandsOfOtherProgramsWithAWarning) {
             "s.cli:4:1: error: unknown command `qwertzuiop`\n  qwertzuiop 1 2\n  ^~~~~~~~~~\n");
   const SceneFile file = read(text, {.lenient = true});
   EXPECT_EQ(told(file),
-            "s.cli:3:1: warning: `caustic_photons` is no command of this program; the line is skipped\n"
+            "s.cli:3:1: warning: `caustic_photons` is not a command of this program; the line is skipped\n"
             "  caustic_photons 100 5 2\n  ^~~~~~~~~~~~~~~\n"
-            "s.cli:4:1: warning: `qwertzuiop` is no command of this program; the line is skipped\n"
+            "s.cli:4:1: warning: `qwertzuiop` is not a command of this program; the line is skipped\n"
             "  qwertzuiop 1 2\n  ^~~~~~~~~~\n");
   EXPECT_EQ(pictures(file).size(), 1u);
 }

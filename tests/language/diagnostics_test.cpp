@@ -49,7 +49,7 @@ TEST(Diagnostics, shortenVeryLongLinesAndWords) {
 }
 
 TEST(Diagnostics, areInTheOrderOfTheFile) {
-  // What is only known at the end (the open `begin_list`) stands where its line is.
+  // An error that is known only at the end (the open `begin_list`) is sorted to its line.
   EXPECT_EQ(told("begin_list\nfoo\n" + ball + "bar\n"),
             "s.cli:1:1: error: this group is left open: there is no `end_list` or `end_accel` for it\n"
             "  begin_list\n  ^~~~~~~~~~\n"

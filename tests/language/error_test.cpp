@@ -1,11 +1,11 @@
-// The text of every error and warning about a command. Files, meshes and limits have tests of their own.
+// The text of every error and warning about a command. Files, meshes and limits have their own tests.
 #include "support.hpp"
 
 namespace penumbra {
 namespace {
 
 struct Case {
-  std::string text;  // what is wrong is in the last line that matters
+  std::string text;
   std::string told;
 };
 
@@ -173,11 +173,11 @@ TEST(Errors, aboutPolygons) {
       {"begin\nvertex 1 2 3\nvertex 1 2 4\nend\n",
        "s.cli:4:1: error: a polygon needs at least three `vertex` lines; found 2\n  end\n  ^~~\n"},
       {"begin\nvertex 1 2 3\nbegin\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nend\n",
-       "s.cli:3:1: error: `begin` while the polygon begun in line 1 is still open\n  begin\n  ^~~~~\n"},
+       "s.cli:3:1: error: `begin` while the polygon begun on line 1 is still open\n  begin\n  ^~~~~\n"},
       {"begin\nvertex 1 2 3\n",
        "s.cli:1:1: error: this polygon is left open: there is no `end` after it\n  begin\n  ^~~~~\n"},
       {"begin\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nsphere 1 0 0 0\nend\n",
-       "s.cli:5:1: error: `sphere` may not stand between `begin` and `end`; the polygon begun in line 1 is still open\n"
+       "s.cli:5:1: error: `sphere` may not stand between `begin` and `end`; the polygon begun on line 1 is still open\n"
        "  sphere 1 0 0 0\n  ^~~~~~\n"},
       {"begin_list\n" + triangle + "end\n" + "end_list\n",
        "s.cli:7:1: error: `end` without a `begin` before it\n  end\n  ^~~\n  did you mean `end_list`?\n"},
@@ -258,16 +258,16 @@ TEST(Warnings, aboutWhatIsOdd) {
       {light + ball + ball + "named_object a\n",
        "s.cli:4:14: warning: `a` is never used: there is no `instance` of it\n  named_object a\n               ^\n"},
       {light + ball + "render\n" + ball + ball,
-       "s.cli:4:1: warning: from here on nothing is in a picture: the last one is taken before this line\n"
+       "s.cli:4:1: warning: nothing from here on is in any picture: the last one is taken before this line\n"
        "  sphere 1 0 0 -4\n  ^~~~~~\n"},
       {light + ball + "render\nrect 0 0 5 5\n",
-       "s.cli:4:1: warning: from here on nothing is in a picture: the last one is taken before this line\n"
+       "s.cli:4:1: warning: nothing from here on is in any picture: the last one is taken before this line\n"
        "  rect 0 0 5 5\n  ^~~~\n"},
       {light + ball + "render\n" + ball + "render\n", ""},
       {light + ball + "begin_list\nend_list\n",
        "s.cli:3:1: warning: this group is empty\n  begin_list\n  ^~~~~~~~~~\n"},
       {light + "begin_accel\n" + ball + "end_list\n",
-       "s.cli:4:1: warning: `end_list` ends the `begin_accel` in line 2\n  end_list\n  ^~~~~~~~\n"},
+       "s.cli:4:1: warning: `end_list` ends the `begin_accel` on line 2\n  end_list\n  ^~~~~~~~\n"},
       {light + "cylinder 1 0 0 2 2\n",
        "s.cli:2:16: warning: this cylinder has no height\n  cylinder 1 0 0 2 2\n                 ^\n"},
       {light + "wood\n" + ball + "marble\n" + ball + "stone\n" + ball + "wood\n" + ball, ""},

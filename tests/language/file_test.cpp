@@ -69,7 +69,7 @@ TEST(Read, tellsAMissingSceneFromAWrongOne) {
   EXPECT_TRUE(read("read none.cli").found);
 }
 
-// A folder of files that goes away at the end of a test.
+// A folder of files that is removed at the end of a test.
 class OnDisk : public ::testing::Test {
  protected:
   OnDisk() : folder(fs::temp_directory_path() / ("penumbra-language-test-" + std::to_string(::getpid()))) {

@@ -50,7 +50,7 @@ TEST(LensTable, isNotThereForAPinhole) {
 }
 
 TEST(LensTable, measuresAlongTheViewFromTheEye) {
-  // From (1, 2, 3) along +x, by vectors that are not of length one.
+  // From (1, 2, 3) along +x, with vectors that are not unit vectors.
   const std::string text = table_of(camera + "eye 1 2 3\nuvw 0 0 2 0 3 0 -4 0 0\nsphere 1 3 9 -7\n");
   EXPECT_NE(text.find(" 1 sphere                       2           2        0.15 "), std::string::npos) << text;
 }
@@ -61,7 +61,7 @@ TEST(LensTable, hasTheTimeOfTheShutter) {
   EXPECT_NE(text.find(" 1 sphere                      10     1.11111 "), std::string::npos) << text;
 }
 
-// What a box is round: a run of triangles, a group and its moving members, instances in instances, placed shapes.
+// What a bounding box encloses: a run of triangles, a group and its moving members, nested instances, placed shapes.
 TEST(LensTable, findsTheCentreOfEveryKindOfObject) {
   const std::string text =
       table_of(camera +
@@ -90,7 +90,7 @@ TEST(LensTable, endsAfterFiftyObjects) {
   EXPECT_NE(text.find("             ... and 2 more\n"), std::string::npos);
 }
 
-// The two ways in which the lecture's quantities hang together.
+// The two relations between the lecture's quantities.
 TEST(LensTable, agreesWithItself) {
   for (const double f : {.02, 1.0}) {
     for (const double n : {1.4, 8.0}) {
@@ -103,7 +103,7 @@ TEST(LensTable, agreesWithItself) {
           const LensBlur blur = lens_blur(scene, d);
           EXPECT_NEAR(1 / blur.image_distance + 1 / d, 1 / f, 1e-9 / f);
           EXPECT_NEAR(blur.circle_of_confusion, 2 * blur.radius * v_p / d, 1e-12);
-          // The cone of light behind the lens, as wide as the lens there and a point at V_D, where the image plane is.
+          // The width, at the image plane, of the cone of light behind the lens: the aperture there, a point at V_D.
           EXPECT_NEAR(blur.circle_of_confusion, f / n * std::abs(blur.image_distance - v_p) / blur.image_distance,
                       1e-9);
         }

@@ -1,4 +1,4 @@
-// Bounds that keep any input from exhausting the machine.
+// Limits that keep any input from exhausting the machine.
 #include <fmt/format.h>
 
 #include "support.hpp"
@@ -20,7 +20,7 @@ TEST(Limits, ofThePictureSize) {
             "s.cli:1:14: error: `h` of `image_size` has to be a whole number from 1 to 65536; found `0`\n"
             "  image_size 1 0\n               ^\n");
   EXPECT_EQ(told("image_size 65536 4097\n"),
-            "s.cli:1:12: error: a picture of 65536 x 4097 pixels is too large; 268435456 pixels are the most\n"
+            "s.cli:1:12: error: a picture of 65536 x 4097 pixels is too large; at most 268435456 pixels are allowed\n"
             "  image_size 65536 4097\n             ^~~~~\n");
   EXPECT_EQ(scene_of(light + ball + "image_size 65536 4096\n").settings.height, 4096);
 }
@@ -55,7 +55,7 @@ TEST(Limits, ofInstancesAndGroupsTogether) {
 }
 
 TEST(Limits, forgetWhatWasNamedAway) {
-  // The deep group is named, so the group around it is not deep any more.
+  // The deep group is named, so the group around it is no longer deep.
   const std::string deep = repeated("begin_list\n", 60) + ball + repeated("end_list\n", 60) + "named_object deep\n";
   EXPECT_EQ(
       told(light + "begin_list\n" + ball + deep + "end_list\nnamed_object flat\nbegin_list\ninstance flat\nend_list\n" +
@@ -76,7 +76,7 @@ TEST(Limits, ofNestedReads) {
   EXPECT_EQ(told(light + "read f1\n", {}, files), "");
   files["f63"] = "read f64\n";
   EXPECT_EQ(told(light + "read f1\n", {}, files),
-            "f63:1:1: error: files read one another more than 64 deep\n  read f64\n  ^~~~\n");
+            "f63:1:1: error: files read each other more than 64 deep\n  read f64\n  ^~~~\n");
 }
 
 TEST(Limits, ofReadsThatDoubleAtEveryLevel) {

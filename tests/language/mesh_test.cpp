@@ -1,4 +1,4 @@
-// OBJ and PLY files, right and wrong.
+// OBJ and PLY files, valid and invalid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ TEST(Obj, saysWhatIsWrong) {
   EXPECT_EQ(mesh_error("t.obj", three + "f 1 b 3\n"),
             "t.obj:4:5: error: `b` is not the number of a vertex\n  f 1 b 3\n      ^\n");
   EXPECT_EQ(mesh_error("t.obj", three + "face 1 2 3\n"),
-            "t.obj:4:1: error: `face` is no statement of an OBJ file\n  face 1 2 3\n  ^~~~\n");
+            "t.obj:4:1: error: `face` is not a statement of an OBJ file\n  face 1 2 3\n  ^~~~\n");
   EXPECT_EQ(mesh_error("t.obj", three), "t.obj: error: this mesh has no faces\n");
   EXPECT_EQ(mesh_error("t.obj", ""), "t.obj: error: this mesh has no faces\n");
   EXPECT_EQ(told("scale 1e30 1 1\nscale 1e30 1 1\nmesh t.obj\n", {}, {{"t.obj", tetrahedron_obj}}),
@@ -198,7 +198,7 @@ TEST(Ply, followsTheMatrix) {
   EXPECT_EQ(corners(scene, 1)[1], (Vec3{3, 0, -8}));
 }
 
-// (B-A)x(C-A) of a triangle of the store, by its sign along z.
+// The z component of (B-A)x(C-A) of a triangle of the store.
 double outward_z(const Scene& scene, std::size_t triangle) {
   const auto corner = [&](std::size_t k) {
     const float* p = &scene.triangles->vertices[3 * std::size_t{scene.triangles->indices[3 * triangle + k]}];
@@ -231,15 +231,15 @@ TEST(Ply, saysWhatIsWrongWithTheHeader) {
             "  format utf8 1.0\n  ^~~~~~\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement vertex 0\nend_header\n"),
             "s.ply:3:1: error: the header of this PLY file has no `format` line\n  end_header\n  ^~~~~~~~~~\n");
-  EXPECT_EQ(mesh_error("s.ply", "ply\nfoo\n"), "s.ply:2:1: error: `foo` is no line of a PLY header\n  foo\n  ^~~\n");
+  EXPECT_EQ(mesh_error("s.ply", "ply\nfoo\n"), "s.ply:2:1: error: `foo` is not a line of a PLY header\n  foo\n  ^~~\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement vertex -4\n"),
             "s.ply:2:1: error: `element` needs a name and a number of elements\n  element vertex -4\n  ^~~~~~~\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement a 1\nelement a 1\n"),
-            "s.ply:3:9: error: the element `a` is there twice\n  element a 1\n          ^\n");
+            "s.ply:3:9: error: the element `a` is declared twice\n  element a 1\n          ^\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nproperty float x\n"),
             "s.ply:2:1: error: `property` before the first `element`\n  property float x\n  ^~~~~~~~\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement a 1\nproperty half x\n"),
-            "s.ply:3:10: error: `half` is no type of a PLY file\n  property half x\n           ^~~~\n");
+            "s.ply:3:10: error: `half` is not a type of a PLY file\n  property half x\n           ^~~~\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nelement a 1\nproperty float\n"),
             "s.ply:3:1: error: `property` needs a type and a name, or `list`, two types and a name\n"
             "  property float\n  ^~~~~~~~\n");
@@ -251,7 +251,7 @@ TEST(Ply, saysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n"),
             "s.ply: error: this mesh has no faces\n");
   EXPECT_EQ(mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 0\nelement tristrips 1\nend_header\n"),
-            "s.ply: error: triangle strips are not read; save the mesh with faces\n");
+            "s.ply: error: triangle strips are not supported; save the mesh with faces\n");
   EXPECT_EQ(
       mesh_error("s.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 0\nend_header\n1\n"),
       "s.ply:7:1: error: the vertices of this PLY file have no x, y and z\n  1\n  ^\n");
@@ -285,11 +285,11 @@ TEST(Ply, saysWhatIsWrongWithText) {
   EXPECT_EQ(wrong(vertices + "3.5 0 1 2\n"), "s.ply:14:1: error: a list cannot have length 3.5\n  3.5 0 1 2\n  ^~~\n");
   EXPECT_EQ(wrong(vertices + "-3 0 1 2\n"), "s.ply:14:1: error: a list cannot have length -3\n  -3 0 1 2\n  ^~\n");
   EXPECT_EQ(wrong(vertices + "2e30 0 1\n"),
-            "s.ply:14:1: error: a list of 2e+30 numbers cannot be in the 6 bytes that are left\n  2e30 0 1\n  ^~~~\n");
+            "s.ply:14:1: error: a list of 2e+30 numbers does not fit into the remaining 6 bytes\n  2e30 0 1\n  ^~~~\n");
   EXPECT_EQ(mesh_error("s.ply",
                        "ply\nformat ascii 1.0\nelement tag 1\nproperty list uchar int ids\n"
                        "element vertex 0\nelement face 0\nend_header\n2e30 1\n"),
-            "s.ply:8:1: error: a list of 2e+30 numbers cannot be in the 4 bytes that are left\n  2e30 1\n  ^~~~\n");
+            "s.ply:8:1: error: a list of 2e+30 numbers does not fit into the remaining 4 bytes\n  2e30 1\n  ^~~~\n");
   EXPECT_EQ(wrong(vertices + "3 0 1\n"),
             "s.ply:14:6: error: the file ends in element 1 of 1 of `face`\n  3 0 1\n       ^\n");
   EXPECT_EQ(mesh_error("s.ply", ply_head("ascii", 3, 0) + vertices), "s.ply: error: this mesh has no faces\n");
@@ -315,7 +315,7 @@ TEST(Ply, saysWhatIsWrongWithBytes) {
   EXPECT_EQ(changed(61, "\2"), "s.ply: error: face 1 has 2 corners; it needs at least three " + at(61));
   EXPECT_EQ(changed(61, "\4"), "s.ply: error: the file ends in element 2 of 2 of `face` " + at(74));
   EXPECT_EQ(mesh_error("s.ply", square.substr(0, data + 47)),
-            "s.ply: error: 4 elements `vertex` cannot be in the 47 bytes that are left " + at(0));
+            "s.ply: error: 4 elements `vertex` do not fit into the remaining 47 bytes " + at(0));
 }
 
 TEST(Ply, doesNotBelieveInHugeNumbers) {
@@ -331,7 +331,7 @@ TEST(Ply, doesNotBelieveInHugeNumbers) {
     }
   }
   std::string list = ply_head("binary_little_endian", 1, 1, "float", "uint int") + std::string(12, '\0');
-  EXPECT_NE(mesh_error("s.ply", list + bytes_of(0xFFFFFFFFu, false)).find("cannot be in the 0 bytes"),
+  EXPECT_NE(mesh_error("s.ply", list + bytes_of(0xFFFFFFFFu, false)).find("does not fit into the remaining 0 bytes"),
             std::string::npos);
   EXPECT_NE(mesh_error("s.ply",
                        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"

@@ -1,4 +1,4 @@
-// What a picture holds: the scene as it stands at its line, shared where nothing changed.
+// What a picture holds: the scene as it stands at its line, shared between pictures if nothing has changed.
 #include "support.hpp"
 
 namespace penumbra {
@@ -17,7 +17,7 @@ TEST(Pictures, areTakenAtTheirLine) {
   EXPECT_EQ(list[1].scene->root.objects.size(), 2u);
 }
 
-// Each of these changes the scene between two pictures; the first must not see it.
+// Each of these changes the scene between two pictures; the first picture must not see it.
 TEST(Pictures, keepWhatTheySaw) {
   const std::string start = light + ball + "named_object n\n" + triangle + triangle + ball;
   for (const char* change :

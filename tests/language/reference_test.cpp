@@ -1,4 +1,4 @@
-// Published course scenes, where they are at hand: every one is read without an error.
+// Published course scenes, if they are available: every one is read without an error.
 #include <cstdlib>
 #include <filesystem>
 

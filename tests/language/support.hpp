@@ -1,4 +1,4 @@
-// Short ways to read a scene from text, with further files in memory, and to look at what came out.
+// Short ways to read a scene from text, with other files in memory, and to look at the result.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ inline SceneFile read(const std::string& text, const ReadOptions& options = {}, 
   return read_scene_with("s.cli", std::nullopt, options, in_memory(files));
 }
 
-// Everything that is told, as on a terminal.
+// All diagnostics, as printed on a terminal.
 inline std::string told(const SceneFile& file) {
   std::string text;
   for (const Diagnostic& d : file.diagnostics) text += to_string(d);

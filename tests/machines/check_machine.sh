@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fails unless the program, on a machine that does not know the instruction set WIDER, picks the kernel ISA by itself
-# ("none": says that it has none), ends without an illegal instruction, and makes the same file as here.
+# Fails unless the program, on a machine without the instruction set WIDER, picks the kernel ISA by itself ("none": says
+# that it has none), ends without an illegal instruction, and makes the same file as here.
 # usage: check_machine.sh PENUMBRA WIDE_INSTRUCTION CPU WIDER ISA
 set -euo pipefail
 penumbra=$1 wide_instruction=$2 cpu=$3 wider=$4 isa=$5
@@ -12,7 +12,7 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# Runs a command there; what QEMU has to say of its own is left out.
+# Runs a command there, without QEMU's own warnings.
 there() {
   local code=0
   qemu-x86_64 -cpu "$cpu" "$@" 2> "$folder/said" || code=$?
@@ -26,9 +26,9 @@ fail() {
 }
 
 there "$wide_instruction" nothing || fail "QEMU cannot run a simple program"
-# In a shell of its own, whose word on the signal is not for us.
+# In a subshell, whose message about the signal is dropped.
 if (there "$wide_instruction" "$wider") > /dev/null 2>&1; then
-  fail "runs an instruction of $wider, so that this test would see nothing"
+  fail "runs an instruction of $wider, so this test would detect nothing"
 fi
 
 cat > "$folder/shapes.cli" << 'SCENE'
@@ -61,7 +61,7 @@ awk 'function vertex(i, k,  a, b) {
        }
      }' >> "$folder/mesh.cli"
 
-# A pattern without tables: QEMU 7.2 takes a gather whose indices are in the register ymm4 for one without indices.
+# A pattern without tables: QEMU 7.2 mistakes a gather whose indices are in the register ymm4 for one without indices.
 for scene in shapes mesh; do
   render=("$penumbra" render "$folder/$scene.cli" --sampler jittered --threads 2 --quiet)
   if [ "$isa" = none ]; then
@@ -74,5 +74,5 @@ for scene in shapes mesh; do
   grep -q "\"isa\": \"$isa\"" "$folder/stats.json" || fail "$scene: did not pick $isa"
   if [ "$scene" = mesh ] && ! grep -q '"triangles": 4608' "$folder/stats.json"; then fail "mesh: no mesh"; fi
   "${render[@]}" -o "$folder/here.exr" --isa "$isa"
-  cmp "$folder/here.exr" "$folder/there.exr" || fail "$scene: another picture than here with --isa $isa"
+  cmp "$folder/here.exr" "$folder/there.exr" || fail "$scene: the picture differs from that of --isa $isa here"
 done

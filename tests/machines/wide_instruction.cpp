@@ -1,4 +1,4 @@
-// Runs one instruction of the set it is told: avx, avx2 or avx512. A machine without it ends the program by SIGILL.
+// Runs one instruction of the set named by its argument: avx, avx2 or avx512. A machine without it raises SIGILL.
 #include <cstring>
 
 int main(int argc, char** argv) {

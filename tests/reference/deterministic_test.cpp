@@ -1,5 +1,5 @@
-// Pairs whose pictures have no random numbers in them: the share of pixels whose largest channel difference is at most
-// one or two 8-bit levels, and the mean difference, inside the crop and the mask, against the pair's tolerance.
+// Pairs whose pictures use no random numbers: the percentage of pixels whose largest channel difference is at most one
+// or two 8-bit levels, and the mean difference, inside the crop and the mask, against the pair's tolerance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,9 +34,9 @@ Agreement compare_levels(const Levels& a, const Levels& b, const std::vector<int
   return {100 * le1 / pixels, 100 * le2 / pixels, sum / (3 * pixels)};
 }
 
-// Undoes nothing: does to our picture what the screen of that pair did to its own. It was drawn through a matrix that
-// shrank it about the centre, with four subsamples a pixel. Row j of the formula's picture is the sample of our row j;
-// its additional row 300 is only reached below the crop, so that a picture of the ordinary size is enough.
+// Does to our picture what the screen of that pair did to its own, which was drawn through a matrix that shrank it
+// about the centre, with four subsamples per pixel. Row j of the formula's picture is our row j; its extra row 300 is
+// needed only below the crop, so a picture of the ordinary size is enough.
 Levels resample(const Levels& picture, const nlohmann::json& recipe, const std::vector<int>& crop) {
   const double scale = recipe.at("scale");
   const double center_x = recipe.at("centre")[0], center_y = recipe.at("centre")[1];
@@ -93,7 +93,7 @@ TEST_P(DeterministicPair, IsReproduced) {
   RecordProperty("mean_abs", std::to_string(agreement.mean_abs));
 }
 
-// Names are listed here and not taken from index.json, so that the tests have the same names on every machine.
+// The names are listed here rather than read from index.json, so that the tests have the same names on every machine.
 constexpr const char* names[] = {"00-rect-test",
                                  "01-1a-red-sphere",
                                  "02-1a-two-spheres-no-shadow",

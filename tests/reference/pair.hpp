@@ -1,6 +1,7 @@
 // Published scenes with their pictures: an optional folder of test data, one subfolder for each pair with `scene.cli`
-// and `reference.png`, and an index.json that gives crop and tolerance of each. The folder is named by the environment
-// variable PENUMBRA_REFERENCE_DIR; tests skip where there is none. Pictures are rendered by the program itself.
+// and `reference.png`, and an index.json that gives the crop and the tolerance of each. The environment variable
+// PENUMBRA_REFERENCE_DIR names the folder, which is ../shared/reference by default; without it, the tests are skipped.
+// The program itself renders our pictures.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ namespace penumbra::test {
 // The folder with the pairs, or nothing.
 std::optional<std::filesystem::path> reference_folder();
 
-// Its entry in index.json; null where the folder has no such pair.
+// The entry of a pair in index.json; null if the folder has no such pair.
 nlohmann::json reference_entry(const std::filesystem::path& folder, const std::string& name);
 
 // 8-bit colours, row by row from the top.
@@ -32,7 +33,7 @@ struct Levels {
 
 Levels read_levels(const std::filesystem::path& file);
 
-// Runs `penumbra render` on the scene with --course and these options; fails the test where the program fails.
+// Runs `penumbra render` on the scene with --course and these options; fails the test if the program fails.
 Levels render_levels(const std::filesystem::path& scene, const std::string& options);
 
 }  // namespace penumbra::test

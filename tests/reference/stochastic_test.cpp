@@ -1,6 +1,6 @@
-// Pairs whose pictures are means of random samples: the 9x9 box mean of the difference, and how noisy the picture is
-// next to our own, both against the pair's tolerance. The limits in index.json stand well above what two of our own
-// renders differ by, and the seeds are fixed: a correct renderer that passes once passes always.
+// Pairs whose pictures are means of random samples: the 9x9 box mean of the difference, and the noise of the picture
+// compared with our own, both against the pair's tolerance. The limits in index.json are well above the difference
+// between two of our own renders, and the seeds are fixed: a correct renderer that passes once always passes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace penumbra::test {
 namespace {
 
-using Plane = std::vector<double>;  // three numbers a pixel inside the crop
+using Plane = std::vector<double>;  // three numbers per pixel of the crop
 
 Plane plane_of(const Levels& levels, const std::vector<int>& crop) {
   Plane plane;
@@ -89,8 +89,9 @@ TEST_P(StochasticPair, IsReproduced) {
   const Plane own = plane_of(render_levels(scene, "--seed 2 --threads 2"), crop);
   ASSERT_EQ(own.size(), reference.size());
 
-  // The mean of many samples. With one ray a pixel the place in it is fixed: then it is the mean of many pictures. 200
-  // independent samples, as for the limits: the noise that is left in them is part of both deviations.
+  // The mean of many samples. With one ray per pixel, its place in the pixel is fixed: then it is the mean of many
+  // pictures. Otherwise 200 independent samples, as for the limits: the noise that is left in them is part of both
+  // deviations.
   Plane converged(own.size());
   const int pictures = rays > 1 ? 1 : scaled(64, 8);
   for (int i = 0; i < pictures; i++) {

@@ -1,6 +1,6 @@
-// The pairs with solid textures, where the picture shows the texture. Wood repeats the published rings all but pixel
-// for pixel; the random numbers behind the published marble and stone are not known, so that these two are compared as
-// materials: distribution of colours, and how fast they change from place to place.
+// The pairs with solid textures, where the picture shows the texture. Wood reproduces the published rings almost pixel
+// for pixel; the random numbers behind the published marble and stone are unknown, so these two are compared as
+// materials: the distribution of colours, and how fast they change from place to place.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace penumbra::test {
 namespace {
 
-// The part of the unit ball at (0, 0, -4) that is lit well enough to tell the diffuse colour from 8 bits.
+// The part of the unit ball at (0, 0, -4) that is lit well enough to recover the diffuse colour from 8 bits.
 struct LitBall {
   static constexpr int size = 600;
   static constexpr double dimmest = 0.3;
@@ -89,7 +89,7 @@ std::optional<TexturePair> render_pair(const std::string& name) {
                      render_levels(*folder / name / "scene.cli", "--size 600x600 --threads 1")};
 }
 
-// `tolerance`: of the mean, the deviation, a percentile, and the changes (as a share).
+// Of the mean, the deviation, a percentile, and the changes (relative).
 struct Tolerance {
   double mean, deviation, percentile, change;
 };
@@ -100,7 +100,7 @@ void expect_same_material(const TexturePair& pair, const Tolerance& tolerance) {
     const Look published = look_of(ball, pair.published, channel), ours = look_of(ball, pair.ours, channel);
     EXPECT_NEAR(ours.mean, published.mean, tolerance.mean) << "channel " << channel;
     EXPECT_NEAR(ours.deviation, published.deviation, tolerance.deviation) << "channel " << channel;
-    // A step of the distribution may stand at a slightly other percentile: the nearest of three counts.
+    // A step of the distribution may be at a slightly different percentile: the nearest of three counts.
     for (std::size_t i = 0; i < ours.percentiles.size(); i++) {
       double distance = 1;
       for (std::size_t j = i == 0 ? 0 : i - 1; j < std::min(i + 2, ours.percentiles.size()); j++) {
@@ -137,7 +137,7 @@ TEST(TexturePair, Marble) {
   expect_same_material(*pair, {0.03, 0.015, 0.05, 0.08});
 }
 
-// Stones of a picture that are larger than 20 pixels.
+// Counts the stones of a picture that are larger than 20 pixels.
 int count_stones(const LitBall& ball, const Levels& picture) {
   std::vector<bool> open(ball.light.size());
   for (int y = 0; y < LitBall::size; y++) {

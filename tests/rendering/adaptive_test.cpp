@@ -9,8 +9,10 @@
 #include <set>
 
 #include "base/test_scale.hpp"
+#include "rendering/film_values.hpp"
 #include "rendering/noise_estimate.hpp"
 #include "rendering/pixel_list.hpp"
+#include "rendering/render_adaptive.hpp"
 #include "rendering/render_text.hpp"
 #include "rendering/saved_sums.hpp"
 
@@ -30,7 +32,7 @@ AdaptivePicture render_noise(Scene scene, const NoiseGoal& goal, const RenderSet
   scene.settings.rays_per_pixel = static_cast<int>(goal.most_rays);
   const Frame frame = frame_from(scene, settings);
   Plan plan;
-  plan.crop = settings.crop.value_or(Crop{0, 0, scene.settings.width, scene.settings.height});
+  plan.crop = settings.crop.value_or(PixelRect{0, 0, scene.settings.width, scene.settings.height});
   plan.layers = settings.layers;
   plan.threads = settings.threads;
   Film film(plan.crop, plan.layers, SampleCounts::per_pixel);
@@ -110,17 +112,6 @@ box 0.5 -0.5 -5 1.5 0.5 -4
 )";
 }
 
-struct AllValues {
-  ZeroedVector<float> color, depth, normal, albedo, variance, samples;
-  bool operator==(const AllValues&) const = default;
-};
-
-AllValues values_of(const Film& film) {
-  return {film.color(), film.depth(), film.normal(), film.albedo(), film.variance(), film.pixel_samples()};
-}
-
-const Layers all_layers{true, true, true, true, true};
-
 // The same picture of one tile, by pixels that come one by one: four blocks of the first round in each; then, again and
 // again, as many samples more for all that are worth it, in two parts where there are 32 or more.
 Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
@@ -130,15 +121,15 @@ Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
   Film film({0, 0, noise_tile_size, noise_tile_size}, {}, SampleCounts::per_pixel);
   const FilmView view = film.view();
   RayCounts counts;
-  const auto added = [&](PixelPlace pixel, std::uint32_t first, std::uint32_t end) {
+  const auto added = [&](Pixel pixel, std::uint32_t first, std::uint32_t end) {
     const ColorSum before = color_sum(view, pixel);
     kernel.render_pixels(frame, view, {{&pixel, 1}, first, end}, counts);
     return color_sum(view, pixel) - before;
   };
   NoiseWindow window{};
-  const auto index_of = [](PixelPlace p) { return (p.y + noise_reach) * noise_window_size + p.x + noise_reach; };
+  const auto index_of = [](Pixel p) { return (p.y + noise_reach) * noise_window_size + p.x + noise_reach; };
   const PixelList all = pixels_of(film.crop());
-  for (const PixelPlace& pixel : all.all()) {
+  for (const Pixel& pixel : all.all()) {
     const std::uint32_t n = (1u << rules.first_level) / 4;
     std::array<ColorSum, 4> blocks;
     for (std::uint32_t i = 0; i < 4; i++) blocks[i] = added(pixel, i * n, (i + 1) * n);
@@ -148,7 +139,7 @@ Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
     any = false;
     const NoiseWindow before = window;
     const WindowNumbers rates = observed_rates(before, rules.rates);
-    for (const PixelPlace& pixel : all.all()) {
+    for (const Pixel& pixel : all.all()) {
       const std::size_t i = index_of(pixel);
       const int level = before[i].level;
       if (level == rules.most_level || !rules.is_worth_more(squared_error(before, i, rates[i]), level)) continue;
@@ -160,7 +151,7 @@ Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
       any = true;
     }
   }
-  for (const PixelPlace& pixel : all.all()) film.set_samples({&pixel, 1}, window[index_of(pixel)].samples());
+  for (const Pixel& pixel : all.all()) film.set_samples({&pixel, 1}, window[index_of(pixel)].samples());
   return film;
 }
 
@@ -172,9 +163,9 @@ TEST(Adaptive, IsWhatPixelsOneByOneGive) {
       scene.settings.rays_per_pixel = static_cast<int>(goal.most_rays);
       const Film expected = pixel_by_pixel(scene, goal);
       const Film film = render_noise(scene, goal).film;
-      const ZeroedVector<float> samples = film.pixel_samples();
+      const ZeroedVector<float> samples = film.layer(Layer::samples);
       EXPECT_GE(std::set<float>(samples.begin(), samples.end()).size(), 3u);
-      EXPECT_TRUE(samples == expected.pixel_samples());
+      EXPECT_TRUE(samples == expected.layer(Layer::samples));
       EXPECT_TRUE(film.color() == expected.color());
     }
   }
@@ -188,7 +179,7 @@ TEST(Adaptive, ThreadsAndInstructionSetsDoNotShow) {
     settings.pattern = pattern;
     settings.threads = 1;
     settings.kernel = usable_kernels().front();
-    const AllValues one = values_of(render_noise(all_effects_text(), goal, settings).film);
+    const FilmValues one = values_of(render_noise(all_effects_text(), goal, settings).film);
     for (const Kernel* kernel : usable_kernels()) {
       settings.kernel = kernel;
       for (const int threads : {1, 2, 3}) {
@@ -204,10 +195,11 @@ TEST(Adaptive, CropsAreTheSamePixels) {
   const NoiseGoal goal{scaled(1, 2) * 0.02f, 4096};
   RenderSettings settings;
   settings.layers = all_layers;
-  const AllValues full = values_of(render_noise(all_effects_text(), goal, settings).film);
-  for (const Crop crop : {Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{16, 16, 32, 32}}) {
+  const FilmValues full = values_of(render_noise(all_effects_text(), goal, settings).film);
+  for (const PixelRect crop :
+       {PixelRect{5, 7, 29, 30}, PixelRect{52, 36, 53, 37}, PixelRect{17, 0, 18, 37}, PixelRect{16, 16, 32, 32}}) {
     settings.crop = crop;
-    const AllValues part = values_of(render_noise(all_effects_text(), goal, settings).film);
+    const FilmValues part = values_of(render_noise(all_effects_text(), goal, settings).film);
     const auto expect_same = [&](const ZeroedVector<float>& a, const ZeroedVector<float>& b, int channels) {
       int different = 0;
       for (int i = 0; i < crop.width() * crop.height() * channels; i++) {
@@ -217,12 +209,10 @@ TEST(Adaptive, CropsAreTheSamePixels) {
       }
       EXPECT_EQ(different, 0) << crop.x0 << " " << crop.y0;
     };
-    expect_same(part.color, full.color, 3);
-    expect_same(part.depth, full.depth, 1);
-    expect_same(part.normal, full.normal, 3);
-    expect_same(part.albedo, full.albedo, 3);
-    expect_same(part.variance, full.variance, 3);
-    expect_same(part.samples, full.samples, 1);
+    for (const LayerRow& row : layer_table) {
+      const std::size_t i = index_of(row.layer);
+      expect_same(part[i], full[i], static_cast<int>(row.channels.size()));
+    }
   }
 }
 
@@ -264,7 +254,7 @@ constexpr int squares = (squares_size / squares_apart) * (squares_size / squares
 // Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
 TEST(Adaptive, SpecksAreFound) {
   const AdaptivePicture picture = render_noise(squares_text(0.2, 1), {0.02f, 4096});
-  const ZeroedVector<float> color = picture.film.color(), samples = picture.film.pixel_samples();
+  const ZeroedVector<float> color = picture.film.color(), samples = picture.film.layer(Layer::samples);
   double sum = 0;
   int far_from_truth = 0, lit = 0;
   for (std::size_t i = 0; i < samples.size(); i++) {
@@ -298,7 +288,7 @@ TEST(Adaptive, MoreRaysWhereTheNoiseIs) {
       "image_size 64 64\nfov 60\nbackground 0.1 0.1 0.1\ndiffuse 0 0 0 1 1 1\npush\nrotatez 17\n"
       "box 0 -99 -6 99 99 -5\npop\n",
       {0.01f, 4096});
-  const ZeroedVector<float> samples = picture.film.pixel_samples(), color = picture.film.color();
+  const ZeroedVector<float> samples = picture.film.layer(Layer::samples), color = picture.film.color();
   double edge = 0, flat = 0;
   int edge_pixels = 0, flat_pixels = 0;
   const auto at = [](int x, int y) { return static_cast<std::size_t>(y * 64 + x); };
@@ -334,11 +324,11 @@ TEST(Adaptive, TheVarianceIsHonest) {
         Case{blur_text(width, height), Pattern::random}}) {
     const ZeroedVector<float> truth = converged(c.text, scaled(4096, 1024));
     RenderSettings settings;
-    settings.layers.variance = true;
+    settings.layers.add(Layer::variance);
     settings.pattern = c.pattern;
     for (const float error : {0.03f, 0.015f}) {
       const AdaptivePicture picture = render_noise(c.text, {error, 1 << 16}, settings);
-      const ZeroedVector<float> color = picture.film.color(), variance = picture.film.variance();
+      const ZeroedVector<float> color = picture.film.color(), variance = picture.film.layer(Layer::variance);
       double estimated = 0, squared_errors = 0;
       for (std::size_t i = 0; i < color.size(); i++) {
         estimated += variance[i];
@@ -351,10 +341,10 @@ TEST(Adaptive, TheVarianceIsHonest) {
   Scene scene = scene_from(shadow_text(width, height));
   scene.settings.rays_per_pixel = 64;
   RenderSettings settings;
-  settings.layers.variance = true;
+  settings.layers.add(Layer::variance);
   const Picture3 uniform = render_scene(scene, settings);
   const ZeroedVector<float> truth = converged(shadow_text(width, height), scaled(4096, 1024));
-  const ZeroedVector<float> as_if_independent = uniform.film.variance();
+  const ZeroedVector<float> as_if_independent = uniform.film.layer(Layer::variance);
   double independent = 0, squared_errors = 0;
   for (std::size_t i = 0; i < truth.size(); i++) {
     independent += as_if_independent[i];
@@ -368,10 +358,10 @@ TEST(Adaptive, TheMostRays) {
   for (const std::uint32_t most : {4u, 7u, 64u, 100u}) {
     const AdaptivePicture picture = render_noise(shadow_text(32, 24), {1e-4f, most}, settings);
     EXPECT_GT(picture.result.unfinished_pixels, 100u);
-    for (const float samples : picture.film.pixel_samples()) EXPECT_LE(samples, static_cast<float>(most));
+    for (const float samples : picture.film.layer(Layer::samples)) EXPECT_LE(samples, static_cast<float>(most));
   }
   // Of a crop, its own pixels only.
-  settings.crop = Crop{3, 4, 6, 6};
+  settings.crop = PixelRect{3, 4, 6, 6};
   EXPECT_LE(render_noise(blur_text(32, 24), {1e-5f, 64}, settings).result.unfinished_pixels, 6u);
 }
 

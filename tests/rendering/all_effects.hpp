@@ -7,7 +7,6 @@
 #include <numbers>
 #include <string>
 
-#include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra::test {
@@ -75,7 +74,5 @@ inline std::string mesh_text() {
 
 inline constexpr Pattern all_patterns[] = {Pattern::regular, Pattern::random, Pattern::jittered, Pattern::multijittered,
                                            Pattern::poisson, Pattern::halton, Pattern::sobol,    Pattern::bluenoise};
-
-inline constexpr Layers all_layers{true, true, true, true, true};
 
 }  // namespace penumbra::test

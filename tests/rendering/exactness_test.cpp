@@ -5,6 +5,7 @@
 
 #include "base/test_scale.hpp"
 #include "rendering/all_effects.hpp"
+#include "rendering/film_values.hpp"
 #include "rendering/render_text.hpp"
 
 namespace penumbra::test {
@@ -13,16 +14,7 @@ namespace {
 // Several rays from every first hit.
 const std::string rays_of_hits = "reflection_rays 3\ntransmission_rays 2\nshadow_rays 4\n";
 
-struct AllValues {
-  ZeroedVector<float> color, depth, normal, albedo, variance;
-  bool operator==(const AllValues&) const = default;
-};
-
-AllValues values_of(const Film& film) {
-  return {film.color(), film.depth(), film.normal(), film.albedo(), film.variance()};
-}
-
-AllValues values_of(const std::string& text, RenderSettings settings) {
+FilmValues rendered(const std::string& text, RenderSettings settings) {
   settings.layers = all_layers;
   return values_of(render_text(text, settings).film);
 }
@@ -31,10 +23,10 @@ TEST(Exactness, ThreadsDoNotShow) {
   for (const std::string& text : {scene_text(scaled(37, 5)), scene_text(1), scene_text(3) + mesh_text()}) {
     RenderSettings settings;
     settings.threads = 1;
-    const AllValues one = values_of(text, settings);
+    const FilmValues one = rendered(text, settings);
     for (const int threads : {2, 3, 8}) {
       settings.threads = threads;
-      EXPECT_TRUE(values_of(text, settings) == one) << threads;
+      EXPECT_TRUE(rendered(text, settings) == one) << threads;
     }
   }
 }
@@ -45,11 +37,11 @@ TEST(Exactness, CropsAreTheSamePixels) {
          {scene_text(1), scene_text(3), scene_text(scaled(21, 6)), scene_text(2) + mesh_text()}) {
       RenderSettings settings;
       settings.pattern = pattern;
-      const AllValues full = values_of(text, settings);
-      for (const Crop crop :
-           {Crop{0, 0, 53, 37}, Crop{5, 7, 29, 30}, Crop{52, 36, 53, 37}, Crop{17, 0, 18, 37}, Crop{1, 35, 52, 36}}) {
+      const FilmValues full = rendered(text, settings);
+      for (const PixelRect crop : {PixelRect{0, 0, 53, 37}, PixelRect{5, 7, 29, 30}, PixelRect{52, 36, 53, 37},
+                                   PixelRect{17, 0, 18, 37}, PixelRect{1, 35, 52, 36}}) {
         settings.crop = crop;
-        const AllValues part = values_of(text, settings);
+        const FilmValues part = rendered(text, settings);
         const auto same = [&](const ZeroedVector<float>& a, const ZeroedVector<float>& b, int channels) {
           int different = 0;
           for (int y = 0; y < crop.height(); y++) {
@@ -61,11 +53,10 @@ TEST(Exactness, CropsAreTheSamePixels) {
           }
           EXPECT_EQ(different, 0) << crop.x0 << " " << crop.y0 << " " << crop.x1 << " " << crop.y1;
         };
-        same(part.color, full.color, 3);
-        same(part.depth, full.depth, 1);
-        same(part.normal, full.normal, 3);
-        same(part.albedo, full.albedo, 3);
-        same(part.variance, full.variance, 3);
+        for (const LayerRow& row : layer_table) {
+          const std::size_t i = index_of(row.layer);
+          same(part[i], full[i], static_cast<int>(row.channels.size()));
+        }
       }
     }
   }
@@ -82,7 +73,7 @@ TEST(Exactness, PassesDoNotShow) {
       settings.lens_model = pattern == Pattern::random ? LensModel::cone : LensModel::thin;
       settings.layers = all_layers;
       settings.kernel = kernel;
-      const AllValues at_once = values_of(render_scene(scene, settings).film);
+      const FilmValues at_once = values_of(render_scene(scene, settings).film);
       const Frame frame = frame_from(scene, settings);
       const Plan plan{{0, 0, scene.settings.width, scene.settings.height}, all_layers, 2};
       for (const std::vector<std::uint32_t>& cuts :
@@ -111,10 +102,10 @@ TEST(Exactness, InstructionSetsDoNotShow) {
       settings.transparent_shadows = pattern == Pattern::random;
       settings.regular_lights = pattern == Pattern::halton;
       settings.kernel = usable_kernels().front();
-      const AllValues first = values_of(text, settings);
+      const FilmValues first = rendered(text, settings);
       for (const Kernel* kernel : usable_kernels()) {
         settings.kernel = kernel;
-        EXPECT_TRUE(values_of(text, settings) == first)
+        EXPECT_TRUE(rendered(text, settings) == first)
             << kernel->isa << " " << pattern_names[static_cast<int>(pattern)];
       }
     }
@@ -127,11 +118,11 @@ TEST(Exactness, NothingShowsWithAConeLens) {
     RenderSettings settings;
     settings.lens_model = LensModel::cone;
     settings.kernel = usable_kernels().front();
-    const AllValues first = values_of(text, settings);
+    const FilmValues first = rendered(text, settings);
     settings.threads = 3;
     for (const Kernel* kernel : usable_kernels()) {
       settings.kernel = kernel;
-      EXPECT_TRUE(values_of(text, settings) == first) << kernel->isa;
+      EXPECT_TRUE(rendered(text, settings) == first) << kernel->isa;
     }
   }
 }
@@ -141,7 +132,7 @@ TEST(Exactness, ManySamples) {
   constexpr std::uint32_t rays = 65536 + 100;
   const Scene scene = scene_from("image_size 2 1\nfov 30\nrays_per_pixel " + std::to_string(rays) +
                                  "\ndisk_light 1 5 0 1 0 1 0 1 1 1\nsphere 1 0.2 0 -4\nbox -9 -9 -9 9 9 -8\n");
-  const AllValues at_once = values_of(render_scene(scene).film);
+  const FilmValues at_once = values_of(render_scene(scene).film);
   const Frame frame = frame_from(scene);
   const Plan plan{{0, 0, 2, 1}, {}, 1};
   Film film(plan.crop, plan.layers);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/test_scale.hpp"
+#include "rendering/film_values.hpp"
 #include "rendering/render_text.hpp"
 
 namespace penumbra::test {
@@ -14,8 +15,35 @@ namespace {
 
 RenderSettings with_layers() {
   RenderSettings settings;
-  settings.layers = {true, true, true, true, true};
+  settings.layers = all_layers;
   return settings;
+}
+
+TEST(Layers, HaveNames) {
+  Layers layers;
+  EXPECT_FALSE(layers.any());
+  for (const std::string_view name : layer_names) {
+    const Layers before = layers;
+    EXPECT_TRUE(add_layer(layers, name));
+    EXPECT_NE(layers, before) << name;
+    EXPECT_TRUE(layers.any());
+  }
+  EXPECT_EQ(layers, all_layers);
+  EXPECT_EQ(to_string(layers), "depth,normal,albedo,variance,samples");
+  EXPECT_EQ(to_string(Layers{Layer::samples, Layer::normal}), "normal,samples");
+  EXPECT_EQ(to_string(Layers()), "");
+  for (const char* name : {"color", "dept", ""}) EXPECT_FALSE(add_layer(layers, name)) << name;
+}
+
+// The sums of a pixel and how many samples it has, as parts and checkpoints hold them.
+TEST(Layers, TakeTheirBytes) {
+  EXPECT_EQ(Film::bytes_per_pixel({}), 3 * 8u + 4);
+  EXPECT_EQ(Film::bytes_per_pixel(all_layers), (3 + 2 + 3 + 3 + 3) * 8u + 4);
+  for (const Layers& layers : {Layers{}, Layers{Layer::depth, Layer::variance}, all_layers}) {
+    ArchiveWriter archive;
+    Film({0, 0, 7, 5}, layers).write(archive, {2, 1, 5, 3});
+    EXPECT_EQ(archive.bytes().size(), 6 * Film::bytes_per_pixel(layers));
+  }
 }
 
 std::size_t pixel(int x, int y, int width) { return static_cast<std::size_t>(y * width + x); }
@@ -23,7 +51,7 @@ std::size_t pixel(int x, int y, int width) { return static_cast<std::size_t>(y *
 TEST(Layers, DepthIsAlongTheViewAndInfiniteOnAMiss) {
   // A wall at z = -7 that covers the right half; off the axis its depth is still 7.
   const Picture3 picture = render_text("image_size 40 30\nfov 80\nbox 0 -99 -8 99 99 -7\n", with_layers());
-  const ZeroedVector<float> depth = picture.film.depth();
+  const ZeroedVector<float> depth = picture.film.layer(Layer::depth);
   for (int y = 0; y < 30; y++) {
     for (int x = 0; x < 40; x++) {
       if (x < 20) {
@@ -55,7 +83,7 @@ TEST(Layers, DepthIsMeasuredFromTheEyeAndByHitsOnly) {
       "uvw 0 0 1 0 1 0 -1 0 0\nbox 6 -99 3 6.0001 99 99\n",
       scaled(256, 64));
   const Picture3 picture = render_text(text, with_layers());
-  const ZeroedVector<float> depth = picture.film.depth();
+  const ZeroedVector<float> depth = picture.film.layer(Layer::depth);
   for (int y = 0; y < 9; y++) {
     EXPECT_TRUE(std::isinf(depth[pixel(0, y, 9)]));
     EXPECT_NEAR(depth[pixel(4, y, 9)], 5, 1e-4);
@@ -67,8 +95,8 @@ TEST(Layers, NormalAndAlbedoAreThoseOfTheFirstHit) {
   const std::string text =
       "image_size 30 20\nfov 60\nlight 0 5 0 0.1 0.1 0.1\nglossy 0.5 0.25 2 1 1 1 10 0.5 0.1\nsphere 1 0 0 -3\n";
   const Picture3 picture = render_text(text, with_layers());
-  const ZeroedVector<float> normal = picture.film.normal(), albedo = picture.film.albedo(),
-                            depth = picture.film.depth();
+  const ZeroedVector<float> normal = picture.film.layer(Layer::normal), albedo = picture.film.layer(Layer::albedo),
+                            depth = picture.film.layer(Layer::depth);
   const double k = std::tan(30 * 3.14159265358979 / 180);
   int hits = 0;
   for (int y = 0; y < 20; y++) {
@@ -92,7 +120,7 @@ TEST(Layers, NormalOfATriangleTurnsToTheViewer) {
   for (const char* order :
        {"vertex -9 -9 -4\nvertex 9 -9 -4\nvertex 0 9 -4\n", "vertex 0 9 -4\nvertex 9 -9 -4\nvertex -9 -9 -4\n"}) {
     const Picture3 picture = render_text(fmt::format("image_size 1 1\nfov 1\nbegin\n{}end\n", order), with_layers());
-    EXPECT_LT(length(picture.value(picture.film.normal(), 0, 0) - Vec3{0, 0, 1}), 1e-6);
+    EXPECT_LT(length(picture.value(picture.film.layer(Layer::normal), 0, 0) - Vec3{0, 0, 1}), 1e-6);
   }
 }
 
@@ -109,7 +137,7 @@ TEST(Layers, VarianceOfABernoulliPixel) {
       "disk_light 0 1000 0 1 0 1 0 1 1 1\nsurface 1 1 1\nbox -9 -1 -9 9 0 9\nbox -900 400 -900 0 400.1 900\n",
       size, rays);
   const Picture3 picture = render_text(text, settings);
-  const ZeroedVector<float> variance = picture.film.variance();
+  const ZeroedVector<float> variance = picture.film.layer(Layer::variance);
   double sum = 0, squares = 0, estimates = 0;
   for (int y = 0; y < size; y++) {
     for (int x = 0; x < size; x++) {
@@ -132,7 +160,7 @@ TEST(Layers, VarianceIsZeroWhereNothingVaries) {
   for (const int rays : {1, 2, 16}) {
     const Picture3 picture =
         render_text(fmt::format("image_size 5 5\nrays_per_pixel {}\nbackground 0.3 100 1e-4\n", rays), with_layers());
-    for (const float v : picture.film.variance()) EXPECT_NEAR(v, 0, 1e-9);
+    for (const float v : picture.film.layer(Layer::variance)) EXPECT_NEAR(v, 0, 1e-9);
   }
 }
 

@@ -23,7 +23,7 @@ struct RenderSettings {
   Layers layers = {};
   int threads = 2;
   const Kernel* kernel = nullptr;  // the widest
-  std::optional<Crop> crop = {};
+  std::optional<PixelRect> crop = {};
 };
 
 // The only picture of the text, which must have no errors.
@@ -61,7 +61,7 @@ struct Picture3 {
   // In coordinates of the full picture.
   Vec3 at(int x, int y) const { return value(color, x, y); }
   Vec3 value(const ZeroedVector<float>& means, int x, int y) const {
-    const Crop& c = film.crop();
+    const PixelRect& c = film.crop();
     const auto i = 3 * static_cast<std::size_t>((y - c.y0) * c.width() + (x - c.x0));
     return {means[i], means[i + 1], means[i + 2]};
   }
@@ -75,7 +75,7 @@ struct Picture3 {
 inline Picture3 render_scene(const Scene& scene, const RenderSettings& settings = {}) {
   const Frame frame = frame_from(scene, settings);
   Plan plan;
-  plan.crop = settings.crop.value_or(Crop{0, 0, scene.settings.width, scene.settings.height});
+  plan.crop = settings.crop.value_or(PixelRect{0, 0, scene.settings.width, scene.settings.height});
   plan.layers = settings.layers;
   plan.threads = settings.threads;
   Film film(plan.crop, plan.layers);

@@ -9,7 +9,8 @@ namespace penumbra {
 namespace {
 
 TEST(TileGrid, HasEveryPixelOfTheWindowOnce) {
-  for (const Crop& window : {Crop{0, 0, 100, 70}, Crop{5, 9, 6, 10}, Crop{7, 3, 95, 66}, Crop{0, 0, 16, 16}}) {
+  for (const PixelRect& window :
+       {PixelRect{0, 0, 100, 70}, PixelRect{5, 9, 6, 10}, PixelRect{7, 3, 95, 66}, PixelRect{0, 0, 16, 16}}) {
     for (const SampleCounts counts : {SampleCounts::uniform, SampleCounts::per_pixel}) {
       for (const int shards : {1, 3}) {
         std::vector<int> times(100 * 70);
@@ -19,7 +20,7 @@ TEST(TileGrid, HasEveryPixelOfTheWindowOnce) {
           pixels += pixel_count(grid, {shard, shards});
           for (int i = 0; i < grid.count(); i++) {
             if (!grid.has({shard, shards}, i)) continue;
-            const Crop tile = grid.tile(i);
+            const PixelRect tile = grid.tile(i);
             for (int y = tile.y0; y < tile.y1; y++) {
               for (int x = tile.x0; x < tile.x1; x++) times[static_cast<std::size_t>(100 * y + x)]++;
             }
@@ -40,9 +41,9 @@ TEST(TileGrid, HasEveryPixelOfTheWindowOnce) {
 // A pixel is in the same tile of any window: what is rendered together does not depend on the crop.
 TEST(TileGrid, StartsAtThePictureAndNotAtTheWindow) {
   const TileGrid grid({13, 7, 40, 30});
-  EXPECT_EQ(grid.tile(0), (Crop{13, 7, 16, 8}));
-  EXPECT_EQ(grid.tile(grid.columns() + 1), (Crop{16, 8, 24, 16}));
-  EXPECT_EQ(grid.tile(grid.count() - 1), (Crop{32, 24, 40, 30}));
+  EXPECT_EQ(grid.tile(0), (PixelRect{13, 7, 16, 8}));
+  EXPECT_EQ(grid.tile(grid.columns() + 1), (PixelRect{16, 8, 24, 16}));
+  EXPECT_EQ(grid.tile(grid.count() - 1), (PixelRect{32, 24, 40, 30}));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class CheckpointFile : public testing::Test {
 
 TEST_F(CheckpointFile, TellsWhatItIs) {
   const Checkpoint checkpoint(good_, "c");
-  EXPECT_FALSE(difference(checkpoint.key(), setting_.key));
+  EXPECT_EQ(difference(checkpoint.key(), setting_.key), "");
   EXPECT_EQ(checkpoint.spent().rays.total(), 10u);
   EXPECT_EQ(checkpoint.spent().seconds, 5.5);
 }
@@ -68,7 +68,7 @@ TEST_F(CheckpointFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_of({}), "`c` is not a checkpoint");
   std::vector<std::byte> bad = good_;
   bad[12] = std::byte{9};
-  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, and this program knows format 2 only");
+  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, and this program knows format 3 only");
   bad = good_;
   bad[100] ^= std::byte{1};
   EXPECT_EQ(error_of(bad), "`c` is a damaged checkpoint: block 1 at byte 16 of " + std::to_string(bad.size()) +
@@ -93,7 +93,7 @@ TEST_F(CheckpointFile, OfAnotherRender) {
   };
   EXPECT_EQ(refusal([](PictureKey&) {}), "none");
   EXPECT_EQ(refusal([](PictureKey& key) { key.version = "2"; }),
-            "`c` is the checkpoint of another render: penumbra 1 wrote it, and this is 2");
+            "`c` is the checkpoint of another render: penumbra 1 wrote it, not 2");
   EXPECT_EQ(refusal([](PictureKey& key) { key.scene.high++; }),
             "`c` is the checkpoint of another render: the scene, or a file that it reads, is not the same");
   EXPECT_EQ(refusal([](PictureKey& key) { key.picture = 3; }),
@@ -116,7 +116,7 @@ TEST_F(CheckpointFile, OfAnotherSizeIsDamaged) {
   };
   PictureOfTest other = picture;
   EXPECT_FALSE(is_refused(other));
-  other.layers.depth = true;
+  other.layers.add(Layer::depth);
   EXPECT_TRUE(is_refused(other));
   other = picture;
   other.noise.reset();

@@ -9,28 +9,20 @@
 #include <vector>
 
 #include "base/test_scale.hpp"
-#include "rendering/adaptive.hpp"
 #include "rendering/all_effects.hpp"
 #include "rendering/checkpoint.hpp"
+#include "rendering/film_values.hpp"
+#include "rendering/render_adaptive.hpp"
 #include "rendering/render_text.hpp"
 #include "rendering/uniform_render.hpp"
 
 namespace penumbra::test {
 
-struct FilmValues {
-  ZeroedVector<float> color, depth, normal, albedo, variance, samples;
-  bool operator==(const FilmValues&) const = default;
-};
-
-inline FilmValues values_of(const Film& film) {
-  return {film.color(), film.depth(), film.normal(), film.albedo(), film.variance(), film.pixel_samples()};
-}
-
 struct PictureOfTest {
   std::string name;
   std::string text;
   std::optional<float> noise;
-  Crop crop{0, 0, 53, 37};
+  PixelRect crop{0, 0, 53, 37};
   Layers layers = all_layers;
 };
 
@@ -38,7 +30,7 @@ inline std::ostream& operator<<(std::ostream& out, const PictureOfTest& picture)
 
 inline std::vector<PictureOfTest> pictures_of_test() {
   const std::string few = scene_text(scaled(40, 20)), many = scene_text(scaled(256, 64));
-  const Crop crop{5, 7, 39, 30};
+  const PixelRect crop{5, 7, 39, 30};
   return {{"uniform", few, {}},
           {"uniform, one ray", scene_text(1), {}},
           {"uniform, crop, colour only", few, {}, crop, {}},
@@ -61,7 +53,8 @@ struct Setting {
 
   std::unique_ptr<ResumableRender> render(const Kernel& kernel) const {
     if (goal) return std::make_unique<AdaptiveRender>(frame, kernel, plan, *goal);
-    return std::make_unique<UniformRender>(frame, kernel, plan, static_cast<std::uint32_t>(scene.settings.rays_per_pixel), true);
+    return std::make_unique<UniformRender>(frame, kernel, plan,
+                                           static_cast<std::uint32_t>(scene.settings.rays_per_pixel), true);
   }
 
   Plan plan;

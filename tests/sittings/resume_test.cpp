@@ -46,7 +46,7 @@ TEST_P(Resume, GivesTheUnbrokenFilm) {
 // Every sitting gets somewhere, however short it is.
 TEST_P(Resume, OneCallAtATime) {
   Setting setting(GetParam());
-  Crop& crop = setting.plan.crop;
+  PixelRect& crop = setting.plan.crop;
   crop = {crop.x0, crop.y0, crop.x0 + 9, crop.y0 + 3};
   const FilmValues whole = unbroken(setting);
   int most = 0;
@@ -98,15 +98,14 @@ TEST(PictureSoFar, IsTheMeanOfWhatThereIs) {
   };
   const FilmValues first = after(16), second = after(32);
   int with_second = 0;
-  for (std::size_t i = 0; i < so_far.samples.size(); i++) {
-    const FilmValues& expected = so_far.samples[i] == 32 ? second : first;
-    with_second += so_far.samples[i] == 32;
-    for (std::size_t c = 3 * i; c < 3 * i + 3; c++) {
-      ASSERT_EQ(so_far.color[c], expected.color[c]);
-      ASSERT_EQ(so_far.variance[c], expected.variance[c]);
+  const ZeroedVector<float>& samples = so_far[index_of(Layer::samples)];
+  for (std::size_t i = 0; i < samples.size(); i++) {
+    const FilmValues& expected = samples[i] == 32 ? second : first;
+    with_second += samples[i] == 32;
+    for (const LayerRow& row : layer_table) {
+      const std::size_t layer = index_of(row.layer), channels = row.channels.size();
+      for (std::size_t c = channels * i; c < channels * (i + 1); c++) ASSERT_EQ(so_far[layer][c], expected[layer][c]);
     }
-    ASSERT_EQ(so_far.depth[i], expected.depth[i]);
-    ASSERT_EQ(so_far.samples[i], expected.samples[i]);
   }
   EXPECT_EQ(with_second, 3 * 256 + 80 + 3 * 64);  // the fourth tile of a row is five pixels wide
 }

@@ -25,7 +25,8 @@ TEST(Shards, HaveAllTilesBetweenThem) {
 
 // In each twelfth of the picture, each shard has its share, within two tiles.
 TEST(Shards, AreSpreadEvenly) {
-  for (const Crop& picture : {Crop{0, 0, 640, 480}, Crop{0, 0, 1280, 720}, Crop{0, 0, 3840, 2160}}) {
+  for (const PixelRect& picture :
+       {PixelRect{0, 0, 640, 480}, PixelRect{0, 0, 1280, 720}, PixelRect{0, 0, 3840, 2160}}) {
     const TileGrid grid(picture);
     for (int count = 1; count <= 64; count++) {
       int all = 0, own[3][4] = {};
@@ -122,14 +123,14 @@ TEST_F(Complaints, WhatIsOfAnotherPicture) {
     return sentences.front();
   };
   EXPECT_EQ(complaint([](Setting& s) { s.key.version = "0.9"; }),
-            "`part0` is a part of another picture: penumbra 0.9 wrote it, and 1 the others");
+            "`part0` is a part of another picture: penumbra 0.9 wrote it, not 1");
   EXPECT_EQ(complaint([](Setting& s) { s.key.scene.low = 5; }),
-            "`part0` is a part of another picture: its scene, or a file that this reads, is not the same");
+            "`part0` is a part of another picture: the scene, or a file that it reads, is not the same");
   EXPECT_EQ(complaint([](Setting& s) { s.key.picture = 2; }),
             "`part0` is a part of another picture: it is of picture 2 of the scene, not of 1");
   EXPECT_EQ(complaint([](Setting& s) { s.key.plan.emplace_back("seed", "7"); }),
             "`part0` is a part of another picture: its `seed` is 7, and not given in the others");
-  EXPECT_EQ(complaint([](Setting& s) { s.plan.layers.depth = true; }),
+  EXPECT_EQ(complaint([](Setting& s) { s.plan.layers.add(Layer::depth); }),
             "`part0` is a part of another picture: it is not to be developed as the others are");
   parts_[0] = part_of(setting_, {0, 13});
   EXPECT_EQ(complaints().front(), "`part0` is a part of another picture: it is one of 13 shards, not of 12");

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Fails unless what a library finds wrong that is loaded on the way comes out as the program's own sentence and exit code.
+# Fails unless an error found by a library that is loaded at run time becomes the program's own message and exit code.
 # usage: check_modules.sh PENUMBRA
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# The command's exit code and what it says have to be these.
+# Expects this exit code and a line like this in what the command says.
 expect() {
   local code=0 said
   said=$("${@:3}" 2>&1) || code=$?

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fails if the program has an instruction of a wide set anywhere but in the code of the kernel for it: AVX, AVX2 and BMI
-# in lanes8 and lanes16 alone, AVX-512 in lanes16 alone.
+# Fails if the program has an instruction of a wide set outside the kernels for it: AVX, AVX2 and BMI belong only in
+# lanes8 and lanes16, AVX-512 only in lanes16.
 set -euo pipefail
 objdump -d -C --no-show-raw-insn "$1" | awk '
   /^[0-9a-f]+ </ { place = $0 }
@@ -13,6 +13,6 @@ objdump -d -C --no-show-raw-insn "$1" | awk '
     outside++
   }
   END {
-    if (!wide) print "no wide instruction found at all; this test would see nothing"
+    if (!wide) print "no wide instruction found at all; this test would detect nothing"
     exit !wide || outside
   }'

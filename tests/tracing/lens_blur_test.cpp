@@ -85,7 +85,7 @@ Profile measured_profile(const std::string& text, LensModel model, int rows = ed
   RenderSettings settings;
   settings.pattern = Pattern::random;
   settings.lens_model = model;
-  settings.crop = Crop{0, (height - rows) / 2, width, (height + rows) / 2};
+  settings.crop = PixelRect{0, (height - rows) / 2, width, (height + rows) / 2};
   const Picture3 picture = render_text(text, settings);
   Profile profile;
   profile.samples = rows * edge_rays;

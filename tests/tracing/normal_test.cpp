@@ -41,11 +41,11 @@ TEST(Normals, OfEllipsoidsUnderEveryKindOfMatrix) {
       // Twice as large inside, halved outside.
       "push\nscale 2 2 2\nsphere 1 0 0 0\nnamed_object it\npop\n" + matrix + "scale 0.5 0.5 0.5\ninstance it\n"};
   RenderSettings settings;
-  settings.layers.normal = settings.layers.depth = true;
+  settings.layers = {Layer::normal, Layer::depth};
   const double k = std::tan(20 * 3.14159265358979 / 180);
   for (const std::string& text : cases) {
     const Picture3 picture = render_text(fmt::format("image_size {0} {0}\nfov 40\n", pixels) + text, settings);
-    const ZeroedVector<float> normals = picture.film.normal(), depths = picture.film.depth();
+    const ZeroedVector<float> normals = picture.film.layer(Layer::normal), depths = picture.film.layer(Layer::depth);
     int seen = 0;
     for (int y = 0; y < pixels; y++) {
       for (int x = 0; x < pixels; x++) {
@@ -65,13 +65,13 @@ TEST(Normals, OfEllipsoidsUnderEveryKindOfMatrix) {
 TEST(Normals, CourseSpheresStayRound) {
   RenderSettings settings;
   settings.course = true;
-  settings.layers.depth = true;
+  settings.layers = {Layer::depth};
   const std::string matrix = "translate 0 0 -6\nscale 2 2 2\n";
   const Picture3 direct = render_text(look({}, {0, 0, -1}) + matrix + "sphere 1 0 0 0\n", settings);
-  EXPECT_NEAR(direct.film.depth()[0], 5, 1e-5);
+  EXPECT_NEAR(direct.film.layer(Layer::depth)[0], 5, 1e-5);
   const Picture3 instance =
       render_text(look({}, {0, 0, -1}) + "sphere 1 0 0 0\nnamed_object it\n" + matrix + "instance it\n", settings);
-  EXPECT_NEAR(instance.film.depth()[0], 4, 1e-5);
+  EXPECT_NEAR(instance.film.layer(Layer::depth)[0], 4, 1e-5);
 }
 
 }  // namespace

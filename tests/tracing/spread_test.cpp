@@ -46,9 +46,9 @@ void check(const std::string& text, Vec3 hit, Vec3 direction, double radius, Vec
     for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
       RenderSettings settings = without_shadows();
       settings.pattern = pattern;
-      settings.layers.variance = true;
+      settings.layers = {Layer::variance};
       const Picture3 picture = render_text(text + environment(signs), settings);
-      const ZeroedVector<float> variances = picture.film.variance();
+      const ZeroedVector<float> variances = picture.film.layer(Layer::variance);
       for (int c = 0; c < 3; c++) {
         // No number differs by more than 1 from the mean: its square varies no more than itself.
         const double variance = expected.variance[c];

@@ -31,7 +31,7 @@ struct Errors {
   double estimated, real;
 };
 
-// Another seed's, with many more rays.
+// Rendered with another seed and many more rays.
 const ZeroedVector<float>& true_picture() {
   static const ZeroedVector<float> picture = [] {
     Scene scene = test::scene_from(soft_shadow);
@@ -42,7 +42,7 @@ const ZeroedVector<float>& true_picture() {
   return picture;
 }
 
-// After a number of rays: what is estimated and what is true.
+// The estimated and the real error after a number of rays.
 Errors errors_after(std::uint32_t rays, Pattern pattern) {
   LoadedScene loaded;
   loaded.scene = std::make_shared<const Scene>(test::scene_from(soft_shadow));

@@ -17,7 +17,7 @@ using test::put_content;
 
 class FileStampTest : public testing::Test {
  protected:
-  // The stamp as it is when the file was read long after it was written.
+  // The stamp of a file that was read long after it was written.
   FileStamp old_stamp(const std::filesystem::path& path) {
     FileStamp stamp = stamp_of(path, {});
     stamp.unsure = false;
@@ -68,7 +68,7 @@ TEST_F(FileStampTest, ALargeFileMayBeCutShortWhileItIsUsed) {
   put_content(folder_ / "a", large);
   const LoadedFile loaded = load_copy_from_disk(folder_ / "a");
   std::filesystem::resize_file(folder_ / "a", 0);
-  EXPECT_EQ(loaded.bytes.view(), large) << "a mapped file would end this program here";
+  EXPECT_EQ(loaded.bytes.view(), large) << "a mapped file would crash this program here";
 }
 
 TEST_F(FileStampTest, SceneIsWatchedWithAllThatItNames) {

@@ -22,7 +22,7 @@ TEST(InputMap, DigitsGoByThePlaceOfTheKey) {
 TEST(InputMap, LettersGoByWhatIsPrinted) {
   EXPECT_EQ(command_of_key({SDL_SCANCODE_Q, SDLK_a}).effect, Effect::antialiasing) << "AZERTY";
   EXPECT_EQ(kind_of(SDL_SCANCODE_A, SDLK_q), none) << "AZERTY";
-  EXPECT_EQ(kind_of(SDL_SCANCODE_S, 0x44b), save) << "a Cyrillic letter: by its place";
+  EXPECT_EQ(kind_of(SDL_SCANCODE_S, 0x44b), save) << "a Cyrillic letter: by its position";
   EXPECT_EQ(kind_of(SDL_SCANCODE_E, SDLK_e), brighter);
   EXPECT_EQ(kind_of(SDL_SCANCODE_E, SDLK_e, true), darker);
 }

@@ -24,7 +24,7 @@ sphere 50 0 -51 -5
 
 class InspectionTest : public testing::Test {
  protected:
-  // The picture after so many rays.
+  // The picture after `rays` rays per pixel.
   Refinement picture_of(const PictureOptions& options, std::uint32_t rays) {
     test::put_content(folder_ / "a.cli", scene_text);
     Refinement picture;

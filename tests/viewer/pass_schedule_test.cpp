@@ -9,7 +9,7 @@
 namespace penumbra {
 namespace {
 
-// The rays per pixel that are seen one after the other.
+// The numbers of rays per pixel that are shown in succession.
 std::vector<std::uint32_t> seen(const PassRules& rules, double seconds_per_ray, std::uint32_t until) {
   std::vector<std::uint32_t> result;
   std::uint32_t rays = 0;

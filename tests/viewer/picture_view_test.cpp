@@ -59,7 +59,7 @@ TEST(PictureView, StaysWhereTheUserPutIt) {
   view.set_area({0, 0, 1000, 1000});
   EXPECT_EQ(view.picture().x, 35);
   view.set_picture_size(100, 100);
-  EXPECT_EQ(view.zoom_factor(), 4) << "another picture is fitted anew";
+  EXPECT_EQ(view.zoom_factor(), 4) << "another picture is fitted again";
 }
 
 TEST(PictureView, SurvivesAnEmptyArea) {

@@ -35,19 +35,23 @@ class RefinerTest : public testing::Test {
     return {{}, loaded_, {options}, limit};
   }
 
-  // Waits for news of which `condition` is true.
+  // Waits for news for which `condition` holds.
   template <typename Condition>
   RefinerNews wait(Condition&& condition) {
+    return wait(refiner_, condition);
+  }
+  template <typename Condition>
+  static RefinerNews wait(Refiner& refiner, Condition&& condition) {
     const auto end = std::chrono::steady_clock::now() + 120s;
     while (std::chrono::steady_clock::now() < end) {
-      RefinerNews news = refiner_.take();
+      RefinerNews news = refiner.take();
       if (condition(news)) return news;
       std::this_thread::sleep_for(1ms);
     }
-    ADD_FAILURE() << "waited in vain";
+    ADD_FAILURE() << "timed out";
     return {};
   }
-  // For tasks that stop there: of others, news can be later than that.
+  // Only for tasks that stop at `rays`: others may be past it at the next look.
   std::shared_ptr<const Refinement> wait_for_rays(std::uint32_t rays) {
     return wait([rays](const RefinerNews& news) { return news.picture && news.picture->rays == rays; }).picture;
   }
@@ -116,7 +120,12 @@ TEST_F(RefinerTest, PauseHoldsAfterTheFirstPicture) {
   refiner_.show(task(0));
   const auto first = wait([](const RefinerNews& news) { return news.picture != nullptr; }).picture;
   EXPECT_EQ(first->rays, 1u);
-  std::this_thread::sleep_for(100ms);
+  // Another refiner, which is not paused, reaches 64 rays meanwhile: long enough for a second picture if there were
+  // one.
+  Refiner other(*usable_kernels().back(), 2, [] {});
+  other.show(task(0));
+  wait(other, [](const RefinerNews& news) { return news.picture && news.picture->rays >= 64; });
+  EXPECT_EQ(notified_, 1);
   EXPECT_EQ(refiner_.take().picture, nullptr);
   refiner_.pause(false);
   wait([](const RefinerNews& news) { return news.picture && news.picture->rays >= 4; });
@@ -124,12 +133,14 @@ TEST_F(RefinerTest, PauseHoldsAfterTheFirstPicture) {
 
 TEST_F(RefinerTest, AStoppedPassLeavesNothing) {
   refiner_.show(task(0));
-  for (int i = 0; i < 30; i++) {
-    refiner_.pause(i % 2 == 0);
-    std::this_thread::sleep_for(3ms);
-  }
-  refiner_.pause(false);
-  const auto picture = wait([](const RefinerNews& news) { return news.picture && news.picture->rays >= 64; }).picture;
+  int stops = 0;
+  const auto picture = wait([&](const RefinerNews& news) {
+                         if (stops == 30) return news.picture && news.picture->rays >= 64;
+                         stops++;
+                         refiner_.pause(true);  // the pass stops, and the next one may begin
+                         refiner_.pause(false);
+                         return false;
+                       }).picture;
   EXPECT_EQ(picture->sides[0].image.rgb, rendered(static_cast<int>(picture->rays)));
 }
 

@@ -45,7 +45,7 @@ class SessionTest : public testing::Test {
       if (condition(*session_)) return;
       std::this_thread::sleep_for(1ms);
     }
-    FAIL() << "waited in vain";
+    FAIL() << "timed out";
   }
   void wait_until_done() {
     wait([](const Session& s) { return s.picture_is_current() && s.picture()->done; });

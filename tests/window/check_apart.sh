@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # usage: check_apart.sh PENUMBRA SCENE
-# `penumbra render` loads no library of windows, neither as a dependency nor while it runs; without a display,
+# `penumbra render` loads no windowing library, neither as a dependency nor while it runs; without a display,
 # `penumbra view` says so in one line, names the command to use instead, and exits with 69.
 set -euo pipefail
 penumbra=$1
@@ -8,7 +8,7 @@ scene=$2
 windowing='SDL|libGL|libOpenGL|libEGL|libX11|libxcb|wayland|imgui'
 
 if ldd "$penumbra" | grep -E "$windowing"; then
-  echo "the program depends on libraries of windows"
+  echo "the program depends on windowing libraries"
   exit 1
 fi
 
@@ -16,13 +16,13 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$penumbra" render "$scene" --rays 16777216 -o "$folder/out.png" --quiet &
 render=$!
-# Once it has computed for a fifth of a second, it has loaded whatever it loads.
+# Once it has computed for a fifth of a second, it has loaded everything it needs.
 until [ "$(cut -d' ' -f14 "/proc/$render/stat")" -gt 20 ]; do sleep 0.01; done
 maps=$(cat "/proc/$render/maps")
 kill "$render"
 wait "$render" || true
 if ! grep -q libc.so <<< "$maps" || grep -E "$windowing" <<< "$maps"; then
-  echo "a render loads libraries of windows"
+  echo "a render loads windowing libraries"
   exit 1
 fi
 

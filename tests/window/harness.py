@@ -1,6 +1,6 @@
 """Drives the window as a user does: an X server without a screen (Xvfb), real key and mouse events (xdotool), pixels
-read back from the server. Nothing sleeps and hopes: the window reports every frame it presents, and a test waits until a
-frame is as it should be, with a deadline far beyond what a loaded machine needs."""
+read back from the server. No test relies on a sleep: the window reports every frame it presents, and a test waits for a
+frame that is as it should be, with a deadline far beyond what a loaded machine needs."""
 
 import ctypes
 import json
@@ -20,7 +20,7 @@ DEADLINE = float(os.environ.get("PENUMBRA_TEST_DEADLINE", "120"))
 
 
 class Display:
-    """An X server of its own."""
+    """A separate X server."""
 
     def __init__(self, size="1440x900"):
         read_end, write_end = os.pipe()
@@ -87,7 +87,7 @@ def write_png(path, rows):
 
 
 def metadata_of(png):
-    """What a PNG file says of how it was made, in order."""
+    """The metadata of a PNG file, in order."""
     with open(png, "rb") as file:
         data = file.read()
     texts, at = {}, 8
@@ -141,7 +141,7 @@ class Window:
             return file.read()
 
     def wait(self, condition, what, since=None):
-        """Returns the first frame, after `since` (a frame's number), for which the condition holds."""
+        """Returns the first frame after `since` (a frame's number) for which the condition holds."""
         end = time.monotonic() + DEADLINE
         index = 0 if since is None else len(self.frames)
         for i, frame in enumerate(self.frames):
@@ -161,7 +161,7 @@ class Window:
                                      (self.process.returncode, what, self.output()))
             if time.monotonic() > end:
                 last = self.frames[-1] if self.frames else None
-                raise AssertionError("waited in vain for %s; last frame: %s" % (what, json.dumps(last, indent=1)))
+                raise AssertionError("timed out waiting for %s; last frame: %s" % (what, json.dumps(last, indent=1)))
             time.sleep(0.005)
 
     @property
@@ -173,7 +173,7 @@ class Window:
         self.display.run("xdotool", "key", *names)
 
     def press(self, name, condition, what):
-        """Presses a key and waits for a later frame with the condition."""
+        """Presses a key and waits for a later frame for which the condition holds."""
         before = self.state["frame"]
         self.key(name)
         return self.wait(condition, what + " after " + name, since=before)
@@ -197,11 +197,11 @@ class Window:
         write_png(path, self.screen.rgb(x, y, width, height))
 
     def picture_shot(self, path):
-        """The picture alone, one pixel of the screen for each of its own: every zoom-th one."""
+        """The picture alone, every zoom-th pixel of the screen: one for each of its own."""
         state = self.state
         x, y, width, height = state["picture"]
         zoom = int(state["zoom"])
-        assert zoom == state["zoom"] and zoom >= 1, "the picture is made smaller: %s" % state["zoom"]
+        assert zoom == state["zoom"] and zoom >= 1, "the picture is shrunk: %s" % state["zoom"]
         rows = self.screen.rgb(x, y, width, height)
         small = []
         for row in rows[::zoom]:
@@ -224,8 +224,8 @@ class Window:
 
 
 class Tests:
-    """Runs the methods of a subclass that start with `test_`, each with a folder of its own and, where it opens one, a
-    window. The program and the scenes come from the command line."""
+    """Runs the methods of a subclass that start with `test_`, each in its own folder and with the windows it opens.
+    The program and the scenes come from the command line."""
 
     def __init__(self, penumbra, scenes):
         self.penumbra, self.scenes = penumbra, scenes
@@ -254,7 +254,7 @@ class Tests:
         return os.path.join(self.folder, name)
 
     def put(self, name, text):
-        """Saves a file as editors do: beside its place, then renamed."""
+        """Saves a file as editors do: under another name, then renamed."""
         path = self.path(name)
         with open(path + "~", "w") as file:
             file.write(text)

@@ -38,7 +38,7 @@ class InspectorTests(Tests):
         self.assert_other_picture(self.path("with.png"), self.path("plain.png"))
 
     def test_is_not_clicked_through(self):
-        """What is done with the inspector's own window is not done with the picture below it."""
+        """The mouse on the inspector's own window does not reach the picture below it."""
         self.put("tiny.cli", SCENE)
         window = self.open("tiny.cli", "--rays", "4")
         state = window.wait_for_rays(4)
@@ -49,7 +49,7 @@ class InspectorTests(Tests):
         place = (left + inspector_width // 2, (max(top, y) + min(top + inspector_height, y + height)) // 2)
         assert x < place[0] < x + width and top < place[1] < top + inspector_height, "it should lie over the picture"
         window.mouse("mousemove", *place, "click", 1, "click", 4)
-        # Events are answered in their order.
+        # Events are handled in order.
         state = window.press("h", lambda s: s["help"], "help")
         assert state["inspection"]["pixel"] == before["inspection"]["pixel"], state["inspection"]["pixel"]
         assert state["zoom"] == before["zoom"] and state["picture"] == before["picture"], state["picture"]

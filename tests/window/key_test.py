@@ -19,7 +19,7 @@ class KeyTests(Tests):
         return self.open(self.put("tiny.cli", SCENE), *options)
 
     def options_of(self, png):
-        """The command line that the metadata of a picture asks for."""
+        """The options that the metadata of a picture names."""
         words = []
         for key, value in metadata_of(png).items():
             if key in ("scene", "version"):
@@ -51,7 +51,7 @@ class KeyTests(Tests):
         window.press("1", lambda s: s["scene"].endswith("s01a.cli") and not s["error"] and current(s), "s01a.cli")
 
     def test_digits_on_another_layout(self):
-        """On a French keyboard, digits are typed with Shift; the window goes by the key's place."""
+        """On a French keyboard, digits are typed with Shift; the window goes by the position of the key."""
         for name in ("s01a", "s02a", "s02b"):
             self.put(name + ".cli", SCENE)
         window = self.open(".", "--rays", "1")
@@ -81,13 +81,13 @@ class KeyTests(Tests):
 
     def test_pause(self):
         window = self.open_tiny()
-        window.press("space", lambda s: s["paused"], "a pause")
-        time.sleep(0.3)  # a pass that was at its end still counts
-        rays = window.press("h", lambda s: s["help"], "help")["rays"]
-        time.sleep(0.1)
-        frame = window.press("h", lambda s: not s["help"], "no help")
-        assert frame["rays"] == rays, "it goes on while it is paused"
-        window.press("space", lambda s: not s["paused"] and s["rays"] > rays, "more rays")
+        before = window.press("space", lambda s: s["paused"], "a pause")
+        window.press("r", lambda s: s["task"] > before["task"] and current(s) and s["rays"] == 1, "the first picture")
+        for _ in range(10):
+            window.press("h", lambda s: s["help"], "help")
+            state = window.press("h", lambda s: not s["help"], "no help")
+            assert current(state) and state["rays"] == 1, "it continues while it is paused"
+        window.press("space", lambda s: not s["paused"] and s["rays"] > 1, "more rays")
 
     def test_restart(self):
         window = self.open_tiny()
@@ -167,7 +167,7 @@ class KeyTests(Tests):
     def test_copy(self):
         window = self.open_tiny("--rays", "4")
         window.wait_for_rays(4)
-        window.press("c", lambda s: s["message"] == "nothing is changed", "a message")
+        window.press("c", lambda s: s["message"] == "nothing has been changed", "a message")
         window.press("l", lambda s: current(s) and s["sides"][0]["without"] == "lens", "no lens")
         window.press("d", lambda s: current(s) and "disk-lights" in s["sides"][0]["without"], "no disk lights")
         window.press("plus", lambda s: s["limit"] == 8, "8 rays")
@@ -175,7 +175,7 @@ class KeyTests(Tests):
         lines = subprocess.run(["xclip", "-o", "-selection", "clipboard"], env=self.display.environment, check=True,
                                capture_output=True, text=True, timeout=DEADLINE).stdout
         assert lines == "rays_per_pixel 8\nlens 0 5\ndisk_light 2 5 -1 0 0 -1 0 0.9 0.9 0.9\n", lines
-        # The lines do what they say: in the scene they make the picture that is seen.
+        # The lines do what they say: in the scene, they make the picture that is shown.
         changed = SCENE.replace("disk_light 2 5 -1 0.8 0 -1 0 0.9 0.9 0.9\n", "") + lines
         self.put("changed.cli", changed)
         window.wait_for_rays(8)
@@ -186,7 +186,7 @@ class KeyTests(Tests):
         window = self.open_tiny("--rays", "4")
         state = window.wait_for_rays(4)
         x, y, width, height = state["picture"]
-        # The red sphere's middle: its front is at 4 from the eye.
+        # The middle of the red sphere, whose front is at distance 4 from the eye.
         window.move(x + width * 0.36, y + height * 0.5)
         state = window.press("f", lambda s: s["lens"][1] != 5 and current(s), "another focus")
         assert 3.9 < state["lens"][1] < 4.3 and state["lens"][0] == 0.15, state["lens"]

@@ -64,7 +64,7 @@ class MouseTests(Tests):
         before = window.state["frame"]
         x, y = window.state["knobs"][label]
         window.mouse("mousemove", x, y, "mousedown", 1)
-        # The window has to see the button go down before the mouse moves on.
+        # The window must see the button go down before the mouse moves.
         window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
         window.mouse("mousemove", x + distance, y)
         window.wait(changed, label + " to change", since=before)
@@ -101,7 +101,7 @@ class MouseTests(Tests):
             self.click_knob(window, "As in the file", lambda s: s["changed"] == "rays_per_pixel 4\n" or not s["changed"])
 
     def with_lines(self, lines):
-        """The scene with the lines in place of its own."""
+        """The scene with these lines in place of its own."""
         scene = SCENE
         for line in lines.splitlines(keepends=True):
             command = line.split()[0]

@@ -1,4 +1,4 @@
-"""What is seen is what `penumbra render` gives: for the same scene, options and number of rays, to the byte."""
+"""The window shows what `penumbra render` makes of the same scene, options and number of rays, to the byte."""
 
 import os
 import sys

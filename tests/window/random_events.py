@@ -1,5 +1,5 @@
-"""Random keys, clicks, drags, wheels, resizes, saved files and broken files, thousands of them; the window has to answer
-until the end and to leave without a report of a sanitizer.
+"""Thousands of random keys, clicks, drags, turns of the wheel, resizes, saved files and broken files: the window must
+respond to the end and exit without a sanitizer report.
 
 usage: random_events.py PENUMBRA [--events N] [--seed S]"""
 
@@ -33,7 +33,7 @@ leak:libembree
 
 
 def file_text(chance):
-    """A scene, mostly good."""
+    """A scene, usually without errors."""
     text = chance.choice([SCENE, OTHER, SCENE.replace("rays_per_pixel 4", "sampler poisson"), BROKEN])
     kind = chance.random()
     if kind < 0.1:
@@ -49,7 +49,7 @@ def file_text(chance):
 
 
 def random_event(chance, window, folder):
-    """Words for xdotool; files are written at once."""
+    """Returns words for xdotool; files are written at once."""
     width, height = window.state["window"]
     x, y = chance.randrange(width), chance.randrange(height)
     kind = chance.random()
@@ -78,9 +78,9 @@ def random_event(chance, window, folder):
 
 
 def only_drivers_leak(output):
-    """Whether all that is reported was leaked by libraries that are unloaded by then, as drivers of OpenGL are. They have
-    no name any more that could be suppressed; the program itself always has one. What a sanitizer's own functions took
-    was for them."""
+    """Whether all reported leaks are those of libraries already unloaded, as OpenGL drivers are. These no longer
+    have a name that could be suppressed, but the program itself always has one. What the sanitizer's own functions
+    allocated was for these libraries."""
     if output.count("ERROR:") != 1 or "ERROR: LeakSanitizer" not in output or "runtime error" in output:
         return False
     leaks = re.split(r"(?m)^(?:Direct|Indirect) leak", output)[1:]
@@ -100,7 +100,7 @@ def main():
         suppressions = os.path.join(folder, "suppressions")
         with open(suppressions, "w") as file:
             file.write(SUPPRESSIONS)
-        # Mesa, X and TBB are not compiled for ThreadSanitizer, which then takes their locks for races.
+        # Mesa, X and TBB are not compiled for ThreadSanitizer, which then reports their locks as races.
         display.environment.update(
             ASAN_OPTIONS="halt_on_error=1:exitcode=99", UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1",
             LSAN_OPTIONS="print_suppressions=0:suppressions=" + suppressions,

@@ -1,5 +1,5 @@
-"""Files that change while the window is open: saving reloads, errors are shown over the last good picture, and the
-window lives on."""
+"""Files that change while the window is open: saving reloads the scene, errors are shown over the last good picture,
+and the window stays open."""
 
 import os
 import sys

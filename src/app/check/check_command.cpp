@@ -52,15 +52,16 @@ void add_count(std::vector<std::string>& parts, std::uint64_t count, std::string
 std::string triple(Vec3 v) { return fmt::format("{:g} {:g} {:g}", v.x + 0.0, v.y + 0.0, v.z + 0.0); }
 
 std::string describe_lights(const Scene& scene) {
-  const auto count = [&]<class Kind>(Kind) {
-    return static_cast<std::uint64_t>(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-      return std::holds_alternative<Kind>(light);
-    }));
-  };
+  std::array<std::uint64_t, std::variant_size_v<Light>> counts{};
+  std::array<std::string_view, std::variant_size_v<Light>> names;
+  for (const Light& light : scene.lights) {
+    counts[light.index()]++;
+    names[light.index()] = std::visit([](const auto& l) { return l.name; }, light);
+  }
   std::vector<std::string> parts;
-  add_count(parts, count(PointLight{}), "point light", "point lights");
-  add_count(parts, count(DiskLight{}), "disk light", "disk lights");
-  add_count(parts, count(SpotLight{}), "spotlight", "spotlights");
+  for (std::size_t kind = 0; kind < counts.size(); kind++) {
+    add_count(parts, counts[kind], names[kind], fmt::format("{}s", names[kind]));
+  }
   return listed(parts);
 }
 

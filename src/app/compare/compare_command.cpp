@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
+#include "base/json_text.hpp"
 #include "image/heatmap.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
@@ -51,8 +51,8 @@ void print_table(const CompareOptions& options, const Comparison& comparison) {
   print_row("result", to_string(comparison.verdict));
 }
 
-nlohmann::ordered_json json_for(const CompareOptions& options, const Comparison& comparison) {
-  nlohmann::ordered_json json;  // what is not finite becomes null
+Json json_for(const CompareOptions& options, const Comparison& comparison) {
+  Json json;
   json["a"] = options.a;
   json["b"] = options.b;
   json["width"] = comparison.width;
@@ -68,28 +68,26 @@ nlohmann::ordered_json json_for(const CompareOptions& options, const Comparison&
   json["percent_beyond"] =
       100 * static_cast<double>(comparison.pixels_beyond) / static_cast<double>(comparison.pixel_differences.size());
   for (const LayerComparison& layer : comparison.layers) {
-    json["layers"][layer.name] = {{"max_difference", layer.max_difference}, {"pixels_beyond", layer.pixels_beyond}};
+    json["layers"][layer.name] =
+        Json::object({{"max_difference", layer.max_difference}, {"pixels_beyond", layer.pixels_beyond}});
   }
   if (!comparison.missing_layers.empty()) json["missing_layers"] = comparison.missing_layers;
   json["result"] = to_string(comparison.verdict);
   return json;
 }
 
-void print_json(const nlohmann::ordered_json& json) {
-  // A file name need not be UTF-8; JSON must.
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
 int report_error(const CompareOptions& options, Verdict verdict, const std::string& sentence) {
-  if (options.json)
-    print_json({{"a", options.a}, {"b", options.b}, {"error", sentence}, {"result", to_string(verdict)}});
+  if (options.json) {
+    fmt::print("{}\n", to_text(Json::object(
+                           {{"a", options.a}, {"b", options.b}, {"error", sentence}, {"result", to_string(verdict)}})));
+  }
   fmt::print(stderr, "penumbra compare: {}\n", sentence);
   return static_cast<int>(verdict);
 }
 
 // The size, and for a crop its place.
 std::string describe(const ImageFile& file) {
-  const Window& w = file.window;
+  const PixelRect& w = file.window;
   std::string size = fmt::format("{} x {} pixels", w.width(), w.height());
   if (!is_crop(file)) return size;
   return fmt::format("{} from ({}, {}) of {} x {}", size, w.x0, w.y0, file.full_width, file.full_height);
@@ -151,7 +149,7 @@ int compare_command(const CompareOptions& options) {
     return error.exit_code;
   }
   if (options.json) {
-    print_json(json_for(options, comparison));
+    fmt::print("{}\n", to_text(json_for(options, comparison)));
   } else {
     print_table(options, comparison);
   }

@@ -50,7 +50,7 @@ int tile_count(const SceneFile& file, const RenderOptions& options) {
     if (!picture) continue;
     const Settings& own = picture->scene->settings;
     const auto [width, height] = options.size.value_or(std::pair(own.width, own.height));
-    const Crop crop = options.crop.value_or(Crop{0, 0, width, height});
+    const PixelRect crop = options.crop.value_or(PixelRect{0, 0, width, height});
     fewest = std::min(fewest, tiles_of(crop, options.sample_counts()).count());
   }
   return fewest;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "base/thread_count.hpp"
 #include "rendering/isa.hpp"
-#include "rendering/render.hpp"
 
 namespace penumbra {
 namespace {

@@ -23,7 +23,7 @@ bool is_finished_part(const std::filesystem::path& file, const PictureJob& job) 
   const std::vector<std::byte> bytes = read_file(file);
   const std::string name = file.string();
   const Part part(part_in_file(bytes, name), name);
-  return !difference(job.key, part.header().key) && part.header().shard == job.plan.shard &&
+  return difference(job.key, part.header().key).empty() && part.header().shard == job.plan.shard &&
          part.header().development == to_bytes(job.development);
 }
 
@@ -31,7 +31,7 @@ bool is_finished_part(const std::filesystem::path& file, const PictureJob& job) 
 
 std::string content_key(const PictureKey& key, const Development& development) {
   ArchiveWriter archive;
-  exchange_key(archive, key);
+  serialize(archive, key);
   ContentHasher hasher;
   hasher.add(archive.bytes());
   const std::string rest = to_bytes(development);

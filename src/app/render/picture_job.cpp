@@ -12,7 +12,7 @@ PictureJob picture_job(const RenderOptions& options, const SceneFile& file, cons
   PictureJob job;
   job.scene = with_options(*picture.scene, options);
   const Settings& settings = job.scene.settings;
-  job.plan.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
+  job.plan.crop = options.crop.value_or(PixelRect{0, 0, settings.width, settings.height});
   job.plan.layers = options.layers;
   job.plan.threads = threads_of(options.machine);
   job.plan.shard = options.session.shard.value_or(Shard{});
@@ -32,7 +32,8 @@ std::unique_ptr<ResumableRender> render_of(const PictureJob& job, const RenderOp
                                            const Kernel& kernel) {
   const auto rays = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
   if (options.noise) {
-    return std::make_unique<AdaptiveRender>(frame, kernel, job.plan, NoiseGoal{static_cast<float>(*options.noise), rays});
+    return std::make_unique<AdaptiveRender>(frame, kernel, job.plan,
+                                            NoiseGoal{static_cast<float>(*options.noise), rays});
   }
   const bool in_passes = options.session.can_be_interrupted() && !options.session.shard;
   return std::make_unique<UniformRender>(frame, kernel, job.plan, rays, in_passes);

@@ -3,8 +3,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 
+#include "base/json_text.hpp"
 #include "base/version.hpp"
 
 namespace penumbra {
@@ -12,7 +13,7 @@ namespace penumbra {
 std::string to_json(const RenderStats& s) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  nlohmann::ordered_json json;
+  Json json;
   json["parse_seconds"] = s.parse_seconds;
   json["build_seconds"] = s.build_seconds;
   json["render_seconds"] = s.render_seconds;
@@ -27,14 +28,14 @@ std::string to_json(const RenderStats& s) {
   json["sampler"] = pattern_names[static_cast<int>(s.settings.pattern)];
   json["seed"] = s.settings.seed;
   if (s.noise) json["noise"] = *s.noise;
-  json["size"] = {s.settings.width, s.settings.height};
+  json["size"] = std::array{s.settings.width, s.settings.height};
   json["peak_memory_bytes"] = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   json["shapes"] = s.shapes;
   json["triangles"] = s.triangles;
   json["instances"] = s.instances;
   json["lights"] = s.lights;
   json["version"] = version;
-  return json.dump(2) + "\n";
+  return to_text(json) + "\n";
 }
 
 }  // namespace penumbra

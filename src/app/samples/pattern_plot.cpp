@@ -21,7 +21,7 @@ constexpr double highest_power = 3;  // at the top of the curve's panel
 struct Panel {
   int left, top;
 
-  Window window() const { return {left, top, left + panel_size, top + panel_size}; }
+  PixelRect window() const { return {left, top, left + panel_size, top + panel_size}; }
   // A place in it by fractions of its sides, y down.
   Canvas::Place at(double x, double y) const { return {left + x * panel_size, top + y * panel_size}; }
 };

@@ -6,15 +6,16 @@
 #include <sysexits.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/options/machine_options.hpp"
 #include "app/samples/pattern_plot.hpp"
 #include "app/samples/pattern_points.hpp"
 #include "base/atomic_file.hpp"
+#include "base/json_text.hpp"
 #include "base/number_list.hpp"
 #include "base/version.hpp"
 #include "image/image_file.hpp"
@@ -142,22 +143,21 @@ void print_table(const SamplesOptions& options, const Figures& figures) {
   if (!options.output.empty()) print_row("plot", options.output);
 }
 
-nlohmann::ordered_json json_for(const SamplesOptions& options, const Figures& figures, const Spectrum& spectrum) {
+Json json_for(const SamplesOptions& options, const Figures& figures, const Spectrum& spectrum) {
   const auto n = static_cast<std::size_t>(options.n);
-  nlohmann::ordered_json json;
+  Json json;
   json["sampler"] = name_of(options.sampler);
   json["n"] = options.n;
   json["seed"] = options.seed;
-  json["pixel"] = {options.pixel_x, options.pixel_y};
+  json["pixel"] = std::array{options.pixel_x, options.pixel_y};
   json["dimensions"] = options.dimensions;
   json["l2_star_discrepancy"] = figures.l2_star_discrepancy;
-  json["star_discrepancy"] = nullptr;
-  if (figures.star_discrepancy) json["star_discrepancy"] = *figures.star_discrepancy;
+  json["star_discrepancy"] = figures.star_discrepancy ? Json(*figures.star_discrepancy) : Json();
   json["smallest_distance"] = figures.closest.distance;
   json["smallest_distance_share"] = share_of_largest_distance(figures, n);
   json["largest_empty_circle"] = figures.empty.radius;
   json["largest_empty_circle_ratio"] = ratio_to_smallest_circle(figures, n);
-  json["largest_empty_circle_centre"] = {figures.empty.centre.x, figures.empty.centre.y};
+  json["largest_empty_circle_centre"] = std::array{figures.empty.centre.x, figures.empty.centre.y};
   json["fullest_cell"] = figures.cells.fullest;
   json["emptiest_cell"] = figures.cells.emptiest;
   json["empty_cells"] = figures.cells.empty;
@@ -257,10 +257,7 @@ int samples_command(const SamplesOptions& options) {
     }
   }
   if (options.json) {
-    // A file name need not be UTF-8; JSON must.
-    fmt::print(
-        "{}\n",
-        json_for(options, figures, *spectrum).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", to_text(json_for(options, figures, *spectrum)));
   } else {
     print_table(options, figures);
   }

@@ -29,7 +29,7 @@ ImU32 color_of(const RecordedRay& ray) {
   return frame_color;
 }
 
-// How far a ray is drawn that hits nothing.
+// How long a ray is drawn.
 float length_of(const RecordedRay& ray, float reach) {
   if (ray.hit) return ray.distance;
   return ray.kind == RayKind::shadow ? ray.light_distance : reach;
@@ -47,7 +47,7 @@ void draw_rays(const Session& session, const Inspection& inspection) {
   const RecordedRay& eye = inspection.tree.rays.front();
   const float reach = eye.hit ? 4 * eye.distance : 1;
   for (const RecordedRay& ray : inspection.tree.rays) {
-    if (ray.kind == RayKind::eye) continue;  // seen from its end
+    if (ray.kind == RayKind::eye) continue;  // seen end-on
     float end[3];
     for (int i = 0; i < 3; i++) end[i] = ray.origin[i] + ray.direction[i] * length_of(ray, reach);
     const auto line = project_line(side.frame->camera, ray.origin, end);
@@ -89,7 +89,7 @@ std::optional<WindowArea> draw_inspector(const Session& session) {
   draw_rays(session, *inspection);
   const WindowArea& area = session.view().area();
   const double height = std::min(340.0, area.height * 0.45);
-  // In the half of the window where the pixel is not.
+  // In the half of the window without the pixel.
   const double pixel = session.view().in_window(inspection->at.x, inspection->at.y).y;
   const bool above = pixel > area.y + area.height / 2.0;
   ImGui::SetNextWindowPos(place(area.x + 8, above ? area.y + 8 : area.y + area.height - height - 8),

@@ -7,7 +7,7 @@
 
 namespace penumbra {
 
-// Returns where its text and plots are, if there are any.
+// Returns the area of its text and plots, if they are shown.
 std::optional<WindowArea> draw_inspector(const Session& session);
 
 }  // namespace penumbra

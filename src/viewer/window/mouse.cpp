@@ -9,8 +9,8 @@
 namespace penumbra {
 namespace {
 
-constexpr double click_reach = 3;    // pixels that a hand may move while it clicks
-constexpr double divider_reach = 6;  // pixels from the divider where it can be caught
+constexpr double click_reach = 3;    // pixels that the mouse may move during a click
+constexpr double divider_reach = 6;  // pixels from the divider within which it can be grabbed
 
 bool is_in(const WindowArea& area, PlaceInWindow place) {
   return place.x >= area.x && place.y >= area.y && place.x < area.x + area.width && place.y < area.y + area.height;

@@ -13,9 +13,9 @@ class Mouse {
  public:
   void handle(Session& session, const SDL_Event& event);
   PlaceInWindow cursor() const { return cursor_; }
-  // A part of the picture's part of the window that something lies over, which gets the mouse there.
+  // The area where something covers the picture and gets the mouse instead.
   void set_covered(const std::optional<WindowArea>& area) { covered_ = area; }
-  // The place of a click that was neither a drag nor outside the picture's part of the window; once for each.
+  // The place of a click on the picture's part of the window that was not a drag; each is returned once.
   std::optional<PlaceInWindow> take_click() { return std::exchange(click_, std::nullopt); }
 
  private:

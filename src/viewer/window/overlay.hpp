@@ -9,7 +9,7 @@ inline constexpr int status_height = 26;  // pixels
 
 void draw_overlays(const Session& session, int window_width, int window_height);
 
-// scene, rays per pixel, rays a second, time, sampler, estimated error.
+// Scene, rays per pixel, rays per second, time, sampler, estimated error.
 std::string status_line(const Session& session);
 
 }  // namespace penumbra

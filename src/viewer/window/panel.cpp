@@ -14,10 +14,10 @@ namespace {
 
 using Places = std::vector<KnobPlace>;
 
-// Keeps where the widget before it is.
+// Records where the last widget is.
 void add_place(Places& places, const std::string& label) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  // A label may stand at the right of it.
+  // The rectangle may include a label on the right.
   places.push_back(
       {label, static_cast<int>(low.x + std::min(high.x - low.x, 20.0f) / 2), static_cast<int>((low.y + high.y) / 2)});
 }
@@ -33,7 +33,7 @@ void draw_rays(Places& places, Session& session) {
                       session.scene()->settings.rays_per_pixel);
 }
 
-// One of several names. True if another one was chosen.
+// Draws a choice of several names. True if another one was chosen.
 bool choose(const Knob& knob, double& value) {
   const std::size_t now = static_cast<std::size_t>(value);
   bool changed = false;
@@ -48,10 +48,10 @@ bool choose(const Knob& knob, double& value) {
   return changed;
 }
 
-// Draws a knob. True if its user gave it another value.
+// Draws a knob. True if the user changed its value.
 bool turn(const Knob& knob, double& value) {
   switch (knob.kind) {
-    case Knob::Kind::real: {  // dragged in steps that fit its size
+    case Knob::Kind::real: {  // dragged in steps proportional to its value
       const auto speed = static_cast<float>(std::max(std::abs(value) * 0.01, 0.002));
       return ImGui::DragScalar(knob.label.c_str(), ImGuiDataType_Double, &value, speed, &knob.low, &knob.high, "%.4g",
                                ImGuiSliderFlags_AlwaysClamp);
@@ -82,7 +82,7 @@ bool turn(const Knob& knob, double& value) {
   return false;
 }
 
-// The knobs of all options that both sides share, or of those that each side has to itself.
+// The knobs of all options that both sides share, or of those that each side has separately.
 void draw_options(Places& places, Session& session, bool each_side, int side) {
   const Scene scene = each_side ? session.changed_scene(side) : session.scene_with_all_effects();
   for (const PictureOption& row : option_table()) {

@@ -1,4 +1,4 @@
-// The knobs of the scene, at the right of the picture. Every change draws the picture anew, at once.
+// The knobs of the scene, to the right of the picture. Every change redraws the picture at once.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ PictureTexture::~PictureTexture() { glDeleteTextures(1, &texture_); }
 void PictureTexture::load(const Image& image, double exposure, Rounding rounding) {
   GLint most = 1024;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  // A picture too large for a texture is shown by every second, third, ... pixel.
+  // Of a picture too large for a texture, only every second, third, ... pixel is shown.
   const int skip = (std::max(image.width, image.height) + most - 1) / most;
   const int width = (image.width + skip - 1) / skip;
   const int height = (image.height + skip - 1) / skip;

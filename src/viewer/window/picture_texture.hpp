@@ -1,4 +1,4 @@
-// A picture on its way to the screen: the numbers a PNG would hold, as an OpenGL texture.
+// A picture as an OpenGL texture, with the numbers that a PNG would hold.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class PictureTexture {
   PictureTexture& operator=(const PictureTexture&) = delete;
 
   void load(const Image& image, double exposure, Rounding rounding);
-  // Below a zoom of 1 pixels are blended, else each is a square.
+  // Below a zoom of 1, pixels are blended; otherwise each is a square.
   void* id(double zoom) const;
   bool empty() const { return width_ == 0; }
 

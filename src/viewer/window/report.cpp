@@ -1,8 +1,9 @@
 #include "viewer/window/report.hpp"
 
+#include <array>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
+#include "base/json_text.hpp"
 #include "viewer/window/overlay.hpp"
 
 namespace penumbra {
@@ -18,7 +19,7 @@ void Report::frame(const Session& session, int window_width, int window_height, 
   const Scene scene = session.scene_with_all_effects();
   const Camera& camera = scene.camera;
   const WindowArea place = session.view().picture();
-  nlohmann::ordered_json line = {
+  Json line = Json::object({
       {"frame", ++frames_},
       {"time", std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()},
       {"events", events},
@@ -39,36 +40,37 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"divider", session.divider()},
       {"exposure", session.exposure_halves() / 2.0},
       {"limit", session.limit()},
-      {"lens", {camera.lens_radius, camera.focus_distance}},
-      {"shutter", {camera.shutter_open, camera.shutter_close}},
+      {"lens", std::array{camera.lens_radius, camera.focus_distance}},
+      {"shutter", std::array{camera.shutter_open, camera.shutter_close}},
       {"seed", scene.settings.seed},
       {"max_depth", scene.settings.max_depth},
-      {"window", {window_width, window_height}},
-      {"picture", {place.x, place.y, place.width, place.height}},
+      {"window", std::array{window_width, window_height}},
+      {"picture", std::array{place.x, place.y, place.width, place.height}},
       {"zoom", session.view().zoom_factor()},
       {"changed", session.changed_lines()},
-  };
+  });
   if (const auto& inspection = session.inspection()) {
     const InspectedSample& at = inspection->at;
-    line["inspection"] = {{"side", at.side},
-                          {"pixel", {at.x, at.y}},
-                          {"sample", at.sample},
-                          {"text", inspection->text},
-                          {"command", inspection->command},
-                          {"plots", inspection->plots.size()},
-                          {"so_far", inspection->so_far}};
+    line["inspection"] = Json::object({{"side", at.side},
+                                       {"pixel", std::array{at.x, at.y}},
+                                       {"sample", at.sample},
+                                       {"text", inspection->text},
+                                       {"command", inspection->command},
+                                       {"plots", inspection->plots.size()},
+                                       {"so_far", inspection->so_far}});
   }
-  if (inspector) line["inspector"] = {inspector->x, inspector->y, inspector->width, inspector->height};
-  auto& places = line["knobs"] = nlohmann::ordered_json::object();
-  for (const KnobPlace& knob : knob_places) places[knob.label] = {knob.x, knob.y};
-  auto& sides = line["sides"] = nlohmann::ordered_json::array();
+  if (inspector) line["inspector"] = std::array{inspector->x, inspector->y, inspector->width, inspector->height};
+  Json& places = line["knobs"] = Json::object();
+  for (const KnobPlace& knob : knob_places) places[knob.label] = std::array{knob.x, knob.y};
+  Json::Array sides;
   for (std::size_t i = 0; picture && i < picture->sides.size(); i++) {
     const RefinedSide& side = picture->sides[i];
-    sides.push_back({{"sampler", pattern_names[static_cast<int>(side.frame->settings.pattern)]},
-                     {"without", to_string(side.options.without)},
-                     {"estimated_error", side.error ? nlohmann::ordered_json(*side.error) : nullptr}});
+    sides.push_back(Json::object({{"sampler", pattern_names[static_cast<int>(side.frame->settings.pattern)]},
+                                  {"without", to_string(side.options.without)},
+                                  {"estimated_error", side.error ? Json(*side.error) : Json()}}));
   }
-  file_ << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n' << std::flush;
+  line["sides"] = std::move(sides);
+  file_ << to_line(line) + '\n' << std::flush;
 }
 
 }  // namespace penumbra

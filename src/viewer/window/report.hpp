@@ -1,4 +1,4 @@
-// What the window shows, as lines of JSON for tests and measurements: one after each frame that is presented.
+// What the window shows, as lines of JSON for tests and measurements: one line for each frame presented.
 #pragma once
 
 #include <filesystem>

@@ -21,15 +21,15 @@ namespace penumbra {
 namespace {
 
 constexpr std::chrono::milliseconds longest_wait(25);
-// Dear ImGui answers to some events a frame or two later. Those frames do not hurry: drawing takes time from rendering.
+// Dear ImGui answers some events a frame or two later. Those frames are not urgent: drawing takes time from rendering.
 constexpr int frames_after_event = 2;
 constexpr std::chrono::milliseconds settle_interval(30);
 constexpr std::chrono::milliseconds settle_interval_before_picture(200);
-// An event that asks for another picture is answered with that picture, if it comes soon.
+// After an event that asks for another picture, the next frame waits this long for it.
 constexpr std::chrono::milliseconds wait_for_picture(40);
 constexpr std::chrono::milliseconds patience_at_end(100);
 
-// Lets other threads end the wait for events, once for all news that is not taken yet.
+// Lets other threads end the wait for events, once until the news is taken.
 class Wakeup {
  public:
   Wakeup() : event_(SDL_RegisterEvents(1)) {}
@@ -83,7 +83,7 @@ class WindowLoop {
         frames_to_settle_ = frames_after_event;
         draw_at(Clock::now() + (session_.task() == task ? std::chrono::milliseconds(0) : wait_for_picture));
       }
-      // A field that is typed in has to see a key go down in one frame and up in another.
+      // A text field must see a key go down in one frame and up in another.
       if (event.type == SDL_KEYDOWN && ImGui::GetIO().WantTextInput) return draw_at(Clock::now());
       more = SDL_PollEvent(&event) != 0;
     }
@@ -128,7 +128,7 @@ class WindowLoop {
 
   void copy() {
     const std::string lines = session_.changed_lines();
-    if (lines.empty()) return session_.say("nothing is changed");
+    if (lines.empty()) return session_.say("nothing has been changed");
     SDL_SetClipboardText(lines.c_str());
     session_.say("copied:\n" + lines);
   }
@@ -170,7 +170,7 @@ class WindowLoop {
 void run_window(const SessionOptions& session_options, const WindowOptions& window_options) {
   WindowLoop loop(session_options, window_options);
   loop.run();
-  // What cannot be stopped is not waited for.
+  // Do not wait for what cannot be stopped.
   if (!loop.close()) std::_Exit(0);
 }
 

@@ -19,7 +19,7 @@ struct WindowOptions {
   std::filesystem::path report;  // see report.hpp; empty for none
 };
 
-// Returns when the window was closed. Throws NoDisplay if there is nothing to open it on.
+// Returns when the window is closed. Throws NoDisplay if there is nothing to open it on.
 void run_window(const SessionOptions& session_options, const WindowOptions& window_options);
 
 }  // namespace penumbra

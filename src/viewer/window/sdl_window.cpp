@@ -14,8 +14,8 @@
 namespace penumbra {
 namespace {
 
-// Which of SDL's drivers to try: those of the displays that are named, so that it looks for no others and says nothing
-// about them.
+// Which of SDL's drivers to try: those of the displays that the environment names, so that SDL does not look for others
+// and report on them.
 std::string drivers() {
   const auto is_set = [](const char* name) {
     const char* value = std::getenv(name);
@@ -28,7 +28,7 @@ std::string drivers() {
   return names;
 }
 
-// Without a display, SDL takes a driver that shows nothing.
+// Without a display, SDL falls back to a driver that shows nothing.
 bool shows_anything(const char* driver) {
   const std::string_view name = driver ? driver : "";
   return !name.empty() && name != "offscreen" && name != "dummy" && name != "evdev";
@@ -81,7 +81,7 @@ void SdlWindow::close() {
 void SdlWindow::begin_frame(PlaceInWindow cursor) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
-  // The back end goes by the place of the mouse and of the window on the screen, and the latter may be out of date.
+  // The back end uses the positions of the mouse and of the window on the screen, and the latter may be out of date.
   ImVec2& place = ImGui::GetIO().MousePos;
   if (ImGui::IsMousePosValid(&place)) place = {static_cast<float>(cursor.x), static_cast<float>(cursor.y)};
   ImGui::NewFrame();

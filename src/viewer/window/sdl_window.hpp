@@ -1,4 +1,4 @@
-// An SDL window with an OpenGL context and Dear ImGui in it, and no more: what opens and closes.
+// An SDL window with an OpenGL context and Dear ImGui: opens, begins and ends frames, closes.
 #pragma once
 
 #include <SDL.h>
@@ -21,7 +21,7 @@ class SdlWindow {
   void set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
   // `cursor`: where the last mouse event of this window was.
   void begin_frame(PlaceInWindow cursor);
-  // Shows what was drawn since.
+  // Shows what was drawn since begin_frame().
   void end_frame();
   // In pixels.
   std::pair<int, int> size() const;

@@ -1,0 +1,75 @@
+// The work that a thread does between two looks at the stop flag, some hundredths of a second by a rough guess from the
+// number of rays that a sample sends: a chunk is some pixels of a tile, and takes a number of their samples at a time.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/film.hpp"
+#include "rendering/render_state.hpp"
+#include "tracing/kernel.hpp"
+
+namespace penumbra {
+
+struct ChunkSize {
+  std::size_t pixels;
+  std::uint32_t samples;  // of each of them at a time
+};
+
+// The largest chunk of so many pixels, rounded up to a power of two: all of them and many samples, else halves of them,
+// and so on down to single pixels. Of several pixels it has `fewest_samples` or more.
+ChunkSize chunk_size(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples);
+
+struct Chunk {
+  std::span<const Pixel> pixels;
+  std::uint32_t samples;
+
+  // Where the samples that follow `first` end, if they go up to `end`. Samples come in whole packets of the widest
+  // machine: these may not be cut where Embree is asked (tracing/packets.hpp).
+  std::uint32_t end_after(std::uint32_t first, std::uint32_t end) const;
+};
+
+// The one way in which samples are added to a film; each thread has its own.
+struct ChunkRenderer {
+  Film& film;
+  const Frame& frame;
+  const Kernel& kernel;
+  RayCounts& rays;
+  RenderState& state;
+  FilmView view = film.view();
+
+  // Calls `work(chunk)` for the chunks of some pixels until one call returns false, and returns what the last one did.
+  template <class Work>
+  bool for_chunks(std::span<const Pixel> pixels, std::uint32_t fewest_samples, const Work& work) const {
+    const ChunkSize size = chunk_size(frame, pixels.size(), fewest_samples);
+    for (auto left = pixels; !left.empty();) {
+      const auto next = left.first(std::min(size.pixels, left.size()));
+      if (!work(Chunk{next, size.samples})) return false;
+      left = left.subspan(next.size());
+    }
+    return true;
+  }
+
+  // Adds the samples of a range to the pixels of a chunk, and calls `added(first, end)` whenever some are; these are no
+  // part of the film's counts yet. False if it was stopped before the end.
+  template <class Added>
+  bool render(const Chunk& chunk, SampleRange range, const Added& added) const {
+    for (std::uint32_t first = range.first; first < range.end;) {
+      if (state.is_stopped()) return false;
+      const std::uint32_t end = chunk.end_after(first, range.end);
+      const std::uint64_t rays_before = rays.total();
+      kernel.render_pixels(frame, view, {chunk.pixels, first, end}, rays);
+      state.rays.fetch_add(rays.total() - rays_before, std::memory_order_relaxed);
+      added(first, end);
+      first = end;
+    }
+    return true;
+  }
+  bool render(const Chunk& chunk, SampleRange range) const {
+    return render(chunk, range, [](std::uint32_t, std::uint32_t) {});
+  }
+};
+
+}  // namespace penumbra

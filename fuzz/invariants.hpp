@@ -53,7 +53,8 @@ inline void require_sound(const Scene& scene, const Object& object, std::size_t 
 inline void require_sound(const Scene& scene) {
   require(scene.triangles != nullptr);
   require_sound(*scene.triangles);
-  require(scene.settings.width > 0 && scene.settings.height > 0 && scene.settings.rays_per_pixel > 0 && scene.settings.max_depth >= 0);
+  require(scene.settings.width > 0 && scene.settings.height > 0 && scene.settings.rays_per_pixel > 0 &&
+          scene.settings.max_depth >= 0);
   require(scene.camera.fov_degrees > 0 && scene.camera.fov_degrees < 180);
   require(scene.camera.shutter_open <= scene.camera.shutter_close && scene.camera.focus_distance > 0);
   for (const Affine& placement : scene.placements) require(is_finite(inverse(placement).translation));

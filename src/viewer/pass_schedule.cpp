@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/settings.hpp"
 #include <bit>
+#include "scene/settings.hpp"
 
 namespace penumbra {
 namespace {

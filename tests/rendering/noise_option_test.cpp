@@ -21,7 +21,8 @@ class NoiseOption : public testing::Test {
 
   // The exit code; what was printed is in `printed_`.
   int render(const std::vector<std::string>& arguments) {
-    const RenderOptions options = test::parse_command(render_subcommand, test::command_line({"render", scene_}, arguments));
+    const RenderOptions options =
+        test::parse_command(render_subcommand, test::command_line({"render", scene_}, arguments));
     testing::internal::CaptureStderr();
     const int exit_code = render_command(options);
     printed_ = testing::internal::GetCapturedStderr();

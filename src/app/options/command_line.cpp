@@ -23,7 +23,8 @@ void take_or_throw(const CommandOption& option, std::string_view text) {
 void add_option(CLI::App& app, const CommandOption& option) {
   CLI::Option* added = nullptr;
   if (option.metavar.empty()) {
-    added = app.add_flag_callback(option.name, [&option] { take_or_throw(option, {}); }, option.help);
+    added = app.add_flag_callback(
+        option.name, [&option] { take_or_throw(option, {}); }, option.help);
   } else if (option.times == Times::once || option.times == Times::value_optional) {
     added = app.add_option_function<std::string>(
         option.name, [&option](const std::string& text) { take_or_throw(option, text); }, option.help);

@@ -7,6 +7,7 @@
 
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
+#include "picture/develop.hpp"
 #include "picture/metadata.hpp"
 
 namespace penumbra {

@@ -59,6 +59,7 @@ void moving_sphere(Reading&, const Call&);
 void box(Reading&, const Call&);
 void cylinder(Reading&, const Call&);
 void hollow_cylinder(Reading&, const Call&);
+void cone(Reading&, const Call&);
 void mesh(Reading&, const Call&);
 
 // group_actions.cpp

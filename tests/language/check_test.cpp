@@ -84,6 +84,14 @@ TEST(Check, saysWhatIsInAScene) {
       "1 warning\n");
 }
 
+TEST(Check, countsConesToo) {
+  const std::string cone = "cone 0 0 -4 1 2\n";
+  EXPECT_NE(describe(read(light + cone)).find("  objects    1 cone\n"), std::string::npos);
+  const std::string text = describe(read(light + "lens 1 4\n" + cone + triangle + cone + "box 0 0 0 1 1 1\n"));
+  EXPECT_NE(text.find("  objects    1 box, 2 cones, 1 triangle\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 1 cone                         4 "), std::string::npos) << text;
+}
+
 TEST(Check, hasAnExitCodeForEachCase) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("penumbra-check-test-" + std::to_string(::getpid()) + ".cli");

@@ -65,6 +65,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "box",
                            "cylinder",
                            "hollow_cylinder",
+                           "cone",
                            "mesh",
                            "moving_object",
                            "begin_list",
@@ -92,7 +93,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "shadow_rays"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
-  EXPECT_EQ(all_commands().size(), 61u);
+  EXPECT_EQ(all_commands().size(), 62u);
 }
 
 // Every command has an error for one argument too many and, if it takes any, for one too few.

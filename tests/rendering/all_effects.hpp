@@ -41,6 +41,7 @@ begin_list
 cylinder 0.3 0 0 -0.5 0.5
 moving_sphere 0.3 0 0.8 0 0.4 0.9 0
 hollow_cylinder 0.4 0.5 0 0 0.7
+cone -0.5 0 0.2 0.6 0.4
 end_list
 named_object thing
 push

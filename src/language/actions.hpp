@@ -35,6 +35,7 @@ void shadow_rays(Reading& reading, const Call& call);
 // light_actions.cpp
 void point_light(Reading&, const Call&);
 void disk_light(Reading&, const Call&);
+void quad_light(Reading&, const Call&);
 void spotlight(Reading&, const Call&);
 
 // surface_actions.cpp

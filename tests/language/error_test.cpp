@@ -169,6 +169,15 @@ TEST(Errors, aboutTheCamera) {
       {"disk_light 0 0 0 1 0 0 0 1 1 1",
        "s.cli:1:20: error: the direction of `disk_light` has no length\n"
        "  disk_light 0 0 0 1 0 0 0 1 1 1\n                     ^\n"},
+      {"quad_light 0 0 0 .1 .2 .3 -.3 -.6 -.9 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 .1 .2 .3 -.3 -.6 -.9 1 1 1\n                   ^~\n"},
+      {"quad_light 0 0 0 0 0 0 1 0 0 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 0 0 0 1 0 0 1 1 1\n                   ^\n"},
+      {"quad_light 0 0 0 1 0 0 0 0 0 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 1 0 0 0 0 0 1 1 1\n                   ^\n"},
   });
 }
 

@@ -78,6 +78,13 @@ TEST_F(PictureOptionsTest, SayTheSameAsTheSceneWould) {
   check("0.6 1.1 0.3", "0.6 1.1 0", "--without translucency");
 }
 
+TEST_F(PictureOptionsTest, LeaveThePointAtTheCentreOfALight) {
+  const std::string disk = "disk_light 2 5 -2 1 0 -1 0 1 1 1", quad = "quad_light 2 5 -2 1 0 0 0.3 0 1 1 1 1";
+  const auto points = pixels(with(disk, "point_light 2 5 -2 1 1 1"), "");
+  EXPECT_EQ(pixels(with(disk, quad), "--without disk-lights"), points);
+  EXPECT_NE(pixels(with(disk, quad), ""), points);
+}
+
 TEST_F(PictureOptionsTest, LaterRadiiWin) {
   EXPECT_EQ(pixels(scene_text, "--gloss 0.5,1:0.2,2:0.3"), pixels(scene_text, "--gloss 1:0.2,2:0.3"));
 }

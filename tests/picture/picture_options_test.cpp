@@ -48,7 +48,7 @@ class PictureOptionsTest : public testing::Test {
     std::string text = scene_text;
     return text.replace(text.find(old_line), old_line.size(), new_line);
   }
-  std::string complaint(const std::string& options) {
+  std::string problem(const std::string& options) {
     const auto result =
         test::run_program(fmt::format("{} render {} -o {} {}", PENUMBRA_PROGRAM, (folder_ / "a.cli").string(),
                                       (folder_ / "x.png").string(), options));
@@ -122,16 +122,16 @@ TEST_F(PictureOptionsTest, MetadataRepeatThePicture) {
 }
 
 TEST_F(PictureOptionsTest, SayWhatTheyExpect) {
-  EXPECT_NE(complaint("--lens 3").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--lens -1,3").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--lens 1,nan").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--shutter 1,0").find("expected OPEN,CLOSE"), std::string::npos);
-  EXPECT_NE(complaint("--gloss 0:1").find("NUMBER:RADIUS"), std::string::npos);
-  EXPECT_NE(complaint("--gloss x").find("NUMBER:RADIUS"), std::string::npos);
-  EXPECT_NE(complaint("--gloss 9:0.1").find("--gloss names number 9 of 2 surfaces"), std::string::npos);
-  EXPECT_NE(complaint("--disk-radius 2:0.1").find("--disk-radius names number 2 of 1 lights"), std::string::npos);
-  EXPECT_NE(complaint("--without fog").find("there is no effect `fog`"), std::string::npos);
-  EXPECT_NE(complaint("--exposure 0.3").find("whole number of halves"), std::string::npos);
+  EXPECT_NE(problem("--lens 3").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--lens -1,3").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--lens 1,nan").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--shutter 1,0").find("expected OPEN,CLOSE"), std::string::npos);
+  EXPECT_NE(problem("--gloss 0:1").find("NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(problem("--gloss x").find("NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(problem("--gloss 9:0.1").find("--gloss names number 9 of 2 surfaces"), std::string::npos);
+  EXPECT_NE(problem("--disk-radius 2:0.1").find("--disk-radius names number 2 of 1 lights"), std::string::npos);
+  EXPECT_NE(problem("--without fog").find("there is no effect `fog`"), std::string::npos);
+  EXPECT_NE(problem("--exposure 0.3").find("whole number of halves"), std::string::npos);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct PartFiles {
 
 PartFiles read_parts(const std::vector<std::string>& names);
 
-// Writes the picture of parts about which there is no complaint. Throws FileError.
+// Writes the picture of parts about which there is no problem. Throws FileError.
 void write_merged(const std::vector<Part>& parts, const std::vector<std::string>& outputs, bool quiet);
 
 }  // namespace penumbra

@@ -1,5 +1,5 @@
-// Writes the mesh of the mesh benchmarks, a sphere of 2 n (n - 1) triangles round (0, 0, -4) whose radius is waved by
-// products of sines, as binary PLY or as begin/vertex/end text; on request with the two triangles of the ground.
+// Writes the mesh of the mesh benchmarks, a sphere of 2 n (n - 1) triangles around (0, 0, -4) whose radius is modulated
+// by products of sines, as binary PLY or as begin/vertex/end text; optionally with the two triangles of the ground.
 // Usage: bumpy_sphere N FILE.ply|FILE.cli [ground]
 #include <cmath>
 #include <cstdint>
@@ -27,7 +27,7 @@ Vertex vertex_at(int n, int row, int column) {
 
 constexpr Vertex ground[] = {{-40, -1, 10}, {40, -1, 10}, {40, -1, -60}, {-40, -1, -60}};
 
-// `function` gets the numbers of three vertices: those of the sphere, then those of the ground.
+// `function` gets the indices of three vertices: those of the sphere, then those of the ground.
 template <class Function>
 void for_each_triangle(int n, bool has_ground, const Function& function) {
   for (int row = 0; row < n; row++) {

@@ -1,9 +1,9 @@
-// Looks for direction numbers of Sobol's sequence for the joint dimensions: those of src/sampling/sobol_table.cpp came
-// from it (seed 31). A picture needs some projections of the points more than others: what a pixel sees changes at
-// edges that run through its area and the lens, its area and a light, or its area and time. Dimensions 0 and 1, the
-// pixel, stay as they are: together they are a (0,2)-sequence. For the others simulated annealing picks polynomials and
-// initial numbers. It lowers, over all sizes 2^m and with weights, the points too many in elementary intervals of the
-// pairs, the triples and the three projections of four dimensions that matter.
+// Searches for direction numbers of Sobol's sequence for the joint dimensions; those of src/sampling/sobol_table.cpp
+// came from it (seed 31). Some projections of the points matter more to a picture than others: what a pixel sees
+// changes at edges that run through its area and the lens, its area and a light, or its area and time. Dimensions 0 and
+// 1, the pixel, are fixed: together they are a (0,2)-sequence. For the others, simulated annealing chooses polynomials
+// and initial numbers. It lowers a weighted sum, over all sizes 2^m, of the surplus points in elementary intervals of
+// the pairs, the triples and the three projections to four dimensions that matter.
 //
 //   direction_numbers [SEED [STEPS]]    prints the numbers, and t for each projection and each number of points
 #include <algorithm>
@@ -64,7 +64,7 @@ struct Dimension {
 
 using Matrices = std::array<Matrix, dimension_count>;
 
-// How many of the rows depend on the others.
+// How many of the rows are linearly dependent on the others.
 int dependent_rows(const std::vector<std::uint32_t>& rows) {
   std::vector<std::uint32_t> basis;
   for (std::uint32_t row : rows) {
@@ -74,8 +74,8 @@ int dependent_rows(const std::vector<std::uint32_t>& rows) {
   return static_cast<int>(rows.size() - basis.size());
 }
 
-// Calls `visit(dependent)` for all shapes of elementary intervals of volume 2^-bits in these dimensions, at least
-// `fewest` bits of each dimension, for 2^m points. Such an interval has 2^dependent times too many points, or none.
+// Calls `visit(dependent)` for all shapes of elementary intervals of volume 2^-bits in these dimensions, with at least
+// `fewest` bits in each dimension, for 2^m points. Such an interval has 2^dependent times too many points, or none.
 template <class Visit>
 void for_shapes(const Matrices& matrices, const std::vector<int>& dimensions, int m, int bits, int fewest,
                 const Visit& visit) {
@@ -107,7 +107,7 @@ struct Projection {
   double energy(const Matrices& matrices) const {
     double sum = 0;
     for (int m = 2; m <= largest_m; m++) {
-      // Sums grow with the number of shapes, about so.
+      // Sums grow with the number of shapes, approximately like this.
       constexpr double typical[] = {1, 1, 90, 290, 490, 880, 1450, 2350, 3450, 5000, 6500, 9000};
       double too_many = 0;
       for (int bits = std::max(static_cast<int>(dimensions.size()), m - 2); bits <= m; bits++) {

@@ -1,5 +1,5 @@
-// How much memory Embree takes for the triangles of a scene by its own account: the most it holds while it builds, with
-// our flags, from arrays that are there already. Prints triangles and bytes. Usage: embree_memory SCENE.cli [THREADS]
+// How much memory Embree takes for the triangles of a scene by its own account: the peak while it builds, with our
+// flags, from existing arrays. Prints triangles and bytes. Usage: embree_memory SCENE.cli [THREADS]
 #include <fmt/format.h>
 
 #include <algorithm>

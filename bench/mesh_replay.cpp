@@ -1,8 +1,8 @@
-// How a render of triangle meshes compares with Embree alone: renders a scene on one thread, and sends packets of rays
+// Compares a render of triangle meshes with Embree alone: renders a scene on one thread, and sends packets of rays
 // through Embree without sampling and shading, each kind of ray with the context flag that is best for it. The packets
-// are those that the meshes of a second scene get: with the same scene, what Embree does in the render; with a scene
-// whose mesh holds the other shapes too, all rays. Embree's scenes have our flags and no filter. Prints the seconds of
-// both and their ratio. Usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]
+// are those that reach the meshes of a second scene: with the same scene, the work of Embree in the render; with a
+// scene whose mesh also contains the other shapes, all rays. Embree's scenes have our flags and no filter. Prints the
+// seconds of both and their ratio. Usage: mesh_replay RENDERED.cli REPLAYED.cli [RAYS] [TURNS]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using namespace penumbra;
 
 constexpr int lanes = 16;
 
-// One call of Embree, as it was before the call.
+// The arguments of one call of Embree, before the call.
 struct Query {
   alignas(64) RTCRayHit16 rays;
   alignas(64) int valid[lanes];
@@ -87,7 +87,7 @@ Render render(const Frame& frame, const Kernel& kernel, std::uint32_t rays) {
   return {now() - start, counts};
 }
 
-// The seconds that Embree takes for all of these. The packets are copied to the cache before the clock starts.
+// The seconds that Embree takes for these queries. The packets are copied into the cache before the clock starts.
 double replay(const EmbreeLibrary& embree, const std::vector<RTCScene>& scenes, const Kind& kind, bool coherent) {
   constexpr std::size_t part = 32;
   static Query scratch[part];

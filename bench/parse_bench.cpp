@@ -1,4 +1,4 @@
-// How fast scenes are read, in MB/s on one core: a mesh of some 100 MB as begin/vertex/end text, as binary PLY of both
+// How fast scenes are read, in MB/s on one core: a mesh of about 100 MB as begin/vertex/end text, as binary PLY of both
 // byte orders, as text PLY and as OBJ. Writes its inputs below the folder for temporary files and removes them.
 // Usage: parse_bench [MEGABYTES]
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ struct Sheet {
   int triangles() const { return 2 * n * n; }
 };
 
-// Gathers what is written, so that even unbuffered output is quick.
+// Buffers what is written, so that many small writes are fast.
 class Output {
  public:
   explicit Output(const fs::path& path) : file_(path, std::ios::binary) {}

@@ -1,4 +1,4 @@
-// Checkpoints from arbitrary bytes: refused, or gone on from to the end. The first byte says of what render.
+// Checkpoints from arbitrary bytes: refused, or resumed to the end. The first byte chooses the kind of render.
 #include <cstdint>
 #include <memory>
 #include <string_view>

@@ -1,4 +1,4 @@
-// What holds for every scene that is read without an error. A fuzzer stops where it does not.
+// Invariants of every scene that is read without an error. A fuzzer stops where one does not hold.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ void require_sound(const Shape& shape) {
   if constexpr (requires { shape.radius; }) require(shape.radius > 0);
 }
 
-// `definitions` is how many may be named: inside definition k only those before it, so that nothing contains itself.
+// The object may name the first `definitions` definitions: in definition k those before it, so none contains itself.
 inline void require_sound(const Scene& scene, const Object& object, std::size_t definitions) {
   require(object.placement < scene.placements.size());
   require(is_finite(object.motion));

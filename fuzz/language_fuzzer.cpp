@@ -1,5 +1,5 @@
-// Scenes from arbitrary bytes. The first byte sets the switches; the rest is the scene and, behind lines with `%%`,
-// the files it may name: a.cli, b.cli, m.obj, m.ply. Nothing else exists, and the disk is never touched.
+// Scenes from arbitrary bytes. The first byte sets the options; the rest is the scene and, separated by lines with
+// `%%`, the files it may name: a.cli, b.cli, m.obj, m.ply. Nothing else exists, and the disk is never touched.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Mesh files from arbitrary bytes, as OBJ unless they start as PLY does.
+// Mesh files from arbitrary bytes, as OBJ unless they begin like PLY.
 #include <cstdint>
 #include <string>
 

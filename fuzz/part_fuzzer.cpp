@@ -1,4 +1,4 @@
-// Files with parts of a picture from arbitrary bytes: refused, or put together to a picture.
+// Part files from arbitrary bytes: refused, or merged into a picture.
 #include <cstdint>
 #include <string_view>
 #include <utility>

@@ -4,9 +4,9 @@
 //
 // The energy of a mask is the sum over pairs of pixels p, q of G(p - q) K(place of p, place of q). G is a Gaussian, so
 // in the frequency domain the energy weights only low frequencies. K is the covariance of the errors of two pixels,
-// averaged over the integrands that matter: minus the distance between the two places for all half-planes (Crofton), in
-// the square and in the disk; minus the differences of their coordinates for steps. For 2, 4 and 8 rays, K is averaged
-// over the points that a pixel's place stands for (bluenoise.hpp), and added with a smaller weight.
+// averaged over the integrands that matter: minus the distance between the two places for all half-planes (Crofton), on
+// the square and on the disk; minus the differences of their coordinates, for steps. For 2, 4 and 8 rays, K is averaged
+// over the points that bluenoise.hpp derives from a pixel's place, and added with a smaller weight.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,8 +23,8 @@ constexpr double sigma = 2.8;                       // of the Gaussian, in pixel
 constexpr int reach = 9;                            // its radius
 constexpr double weights[] = {1, 0.2, 0.08, 0.03};  // of 1, 2, 4, 8 rays
 
-// What the first points of the sequence add to a place: 0, the two binary digits of index 1, 2, 4 (their combinations
-// are the others), after the linear scrambling of bluenoise.hpp.
+// The points of the indices 1, 2 and 4, whose combinations the first points of the sequence add to a place (by XOR),
+// after the linear scrambling of bluenoise.hpp; these are its rows.
 constexpr int upper_rows[2][6] = {{0x20, 0x30, 0x38, 0x2c, 0x3e, 0x37}, {0x20, 0x10, 0x08, 0x1c, 0x02, 0x0f}};
 int scrambled(int x, const int* rows) {
   int y = 0;
@@ -136,7 +136,7 @@ class Mask {
  private:
   int count() const { return size_ * size_; }
   float k(int a, int b) const { return kernel_[std::size_t(a) * cells + b]; }
-  // What place a at pixel p costs, given its neighbours.
+  // The cost of place a at pixel p, given its neighbours.
   float field(int p, int a) const { return field_[std::size_t(p) * cells + a]; }
 
   float gaussian(int p, int r) const {
@@ -147,7 +147,7 @@ class Mask {
     return static_cast<float>(std::exp(-(x * x + y * y) / (2 * sigma * sigma)));
   }
 
-  // Brings the fields of the neighbours of p up to date.
+  // Updates the fields of the neighbours of p.
   void spread(int p, int from, int to) {
     for (int y = -reach; y <= reach; y++) {
       for (int x = -reach; x <= reach; x++) {
@@ -168,7 +168,7 @@ class Mask {
   std::vector<float> field_;
 };
 
-// Four of the masks of 64 x 64, moved, mirrored and turned, as the beginning of one of 128 x 128.
+// Four copies of the 64 x 64 mask, shifted, mirrored and transposed, as the start for the 128 x 128 one.
 std::vector<int> four_of(const std::vector<int>& mask) {
   std::vector<int> places(4 * cells);
   for (int y = 0; y < 2 * side; y++) {

@@ -1,6 +1,6 @@
-// Plain values to bytes and back: numbers as they are in memory (x86: little endian), texts and lists with their length
-// in front. Both archives are called alike, so that one function, serialize(archive, x), describes a structure for
-// writing and for reading.
+// Turns plain values into bytes and back: numbers as they are in memory (x86: little endian), strings and lists after
+// their length. Both archives are called in the same way, so that one function, serialize(archive, x), describes a
+// structure for both.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace penumbra {
 
-// The bytes cannot be what was written.
+// The bytes cannot come from an ArchiveWriter.
 struct ArchiveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -43,7 +43,7 @@ class ArchiveWriter {
     numbers(std::span<const char>(text));
   }
 
-  // Without their count.
+  // Writes the numbers without their count.
   template <ArchivedNumber T>
   void numbers(std::span<const T> values) {
     if (values.empty()) return;
@@ -67,7 +67,7 @@ class ArchiveWriter {
   std::vector<std::byte> bytes_;
 };
 
-// Throws ArchiveError where the bytes end too early or a value is impossible, before it takes any memory for it.
+// Throws ArchiveError where the bytes end too early or a value is impossible, before allocating memory for it.
 class ArchiveReader {
  public:
   static constexpr bool reads = true;
@@ -81,7 +81,7 @@ class ArchiveReader {
   void operator()(bool& value) {
     std::uint8_t number = 0;
     (*this)(number);
-    if (number > 1) throw ArchiveError("a switch is neither on nor off");
+    if (number > 1) throw ArchiveError("a flag is neither 0 nor 1");
     value = number == 1;
   }
   void operator()(std::string& text) {
@@ -92,7 +92,7 @@ class ArchiveReader {
   template <ArchivedNumber T>
   void numbers(std::span<T> values) {
     const std::span<std::byte> wanted = std::as_writable_bytes(values);
-    if (wanted.size() > bytes_.size()) throw ArchiveError("the data end too early");
+    if (wanted.size() > bytes_.size()) throw ArchiveError("the data ends too early");
     if (!wanted.empty()) std::memcpy(wanted.data(), bytes_.data(), wanted.size());
     bytes_ = bytes_.subspan(wanted.size());
   }
@@ -106,11 +106,11 @@ class ArchiveReader {
   bool at_end() const { return bytes_.empty(); }
 
  private:
-  // A number of things that take so many bytes each, or more.
+  // Reads the number of elements that take at least `bytes_each` bytes each.
   std::size_t count(std::size_t bytes_each) {
     std::uint64_t number = 0;
     (*this)(number);
-    if (number > bytes_.size() / bytes_each) throw ArchiveError("a length goes beyond the end of the data");
+    if (number > bytes_.size() / bytes_each) throw ArchiveError("a length exceeds the rest of the data");
     return static_cast<std::size_t>(number);
   }
 

@@ -1,6 +1,5 @@
-// Whole files in and out, on POSIX calls: see atomic_file.hpp for the promise. Temporary files are named
-// .TARGET.PID@HOST.N.tmp: the process id tells whether their run is dead, the host name whose process that is where
-// several machines share a folder.
+// Whole files in and out, by POSIX calls. Temporary files are named .TARGET.PID@HOST.N.tmp: the process id shows
+// whether the run that wrote them is dead, the host name where that process ran if several machines share a folder.
 #include "base/atomic_file.hpp"
 
 #include <dirent.h>
@@ -41,14 +40,14 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   int get() const { return fd_; }
-  // Closes now; the error number, 0 for none. Some network file systems report a full disk only here.
+  // Closes now; returns the error number, 0 for none. Some network file systems report a full disk only here.
   int close() { return ::close(std::exchange(fd_, -1)) == 0 || errno == EINTR ? 0 : errno; }
 
  private:
   int fd_;
 };
 
-// A temporary file that removes itself unless it was renamed to its place.
+// A temporary file that removes itself unless it was renamed to its target.
 struct Temporary {
   explicit Temporary(std::string name) : path(std::move(name)) {}
   ~Temporary() {
@@ -61,7 +60,7 @@ struct Temporary {
   bool renamed = false;
 };
 
-// Writes everything; the error number, 0 for none.
+// Writes everything; returns the error number, 0 for none.
 int write_all(int fd, std::span<const std::byte> bytes) {
   // One call of write() takes at most 2 GB - 4 KB on Linux.
   constexpr std::size_t largest_write = std::size_t{1} << 30;
@@ -76,7 +75,7 @@ int write_all(int fd, std::span<const std::byte> bytes) {
   return 0;
 }
 
-// Forces the data to the disk; the error number, 0 for none or where the file system knows no such thing.
+// Forces the data to the disk; returns the error number, 0 for none or where the file system cannot do it.
 int sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno; }
 
 std::optional<int> parse_number(std::string_view text) {
@@ -86,8 +85,8 @@ std::optional<int> parse_number(std::string_view text) {
   return number;
 }
 
-// The descriptor that a name such as /dev/stdout stands for. Opening that name anew would start at the beginning of a
-// file that the shell opened for appending, and replacing it would cut the shell's file loose.
+// The descriptor that a name such as /dev/stdout stands for. Opening the name again would start at the beginning of a
+// file that the shell opened for appending, and replacing it would detach the shell from its file.
 std::optional<int> descriptor_named(const fs::path& path) {
   const std::string& name = path.native();
   if (name == "/dev/stdout") return STDOUT_FILENO;
@@ -98,7 +97,7 @@ std::optional<int> descriptor_named(const fs::path& path) {
   return std::nullopt;
 }
 
-// The file that a chain of symbolic links ends at; it need not exist.
+// The file at the end of a chain of symbolic links; it need not exist.
 fs::path follow_links(const fs::path& path) {
   fs::path target = path;
   std::error_code error;
@@ -130,15 +129,15 @@ const std::string& host_name() {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-// What the temporary files of a target begin with. Long names are cut: 255 bytes is all a file name may have.
+// The prefix of the temporary files of a target. Long names are cut, because a file name has at most 255 bytes.
 std::string temporary_prefix(const fs::path& target) {
   return fmt::format(".{}.", target.filename().string().substr(0, 150));
 }
 
 bool is_alive(int pid) { return ::kill(pid, 0) == 0 || errno == EPERM; }
 
-// Removes what dead runs on this host left of earlier writes to the same target. A folder that cannot be listed is no
-// reason not to write.
+// Removes what dead runs on this host left behind from writes to the same target. A folder that cannot be listed is no
+// obstacle.
 void remove_stale_temporaries(const fs::path& folder, std::string_view prefix) {
   constexpr std::string_view suffix = ".tmp";
   DIR* listing = ::opendir(folder.c_str());
@@ -155,25 +154,25 @@ void remove_stale_temporaries(const fs::path& folder, std::string_view prefix) {
   ::closedir(listing);
 }
 
-// A name that no other write has, now or later: the counter runs through the whole process.
+// A name that no other write uses, now or later: the counter is shared by the whole process.
 std::string temporary_name(const fs::path& folder, std::string_view prefix) {
   static std::atomic<unsigned> counter{0};
   return (folder / fmt::format("{}{}@{}.{}.tmp", prefix, ::getpid(), host_name(), counter++)).string();
 }
 
-// The new file gets the old one's owner as well where we may give it, so that root's write does not take it over.
+// The new file also gets the old one's owner where we may set it, so that a write by root does not take it over.
 void keep_permissions(int fd, const struct stat& old) {
   [[maybe_unused]] const int not_ours_to_give = ::fchown(fd, old.st_uid, old.st_gid);
   ::fchmod(fd, old.st_mode & 0777);
 }
 
-// Gives the file `target` a second name, in place of the file that had it. False where the file system knows no second
-// names.
+// Gives the file `target` a second name, a hard link that replaces any file of that name. False where the file system
+// has no hard links.
 bool link_as(const fs::path& target, const fs::path& second, const std::string& temporary_link) {
   if (::link(target.c_str(), temporary_link.c_str()) != 0) return false;
   Temporary temporary(temporary_link);
   temporary.renamed = ::rename(temporary_link.c_str(), second.c_str()) == 0;
-  // Two names of one file already: rename() has done nothing and said so by 0.
+  // If both already name the same file, rename() does nothing and returns 0.
   ::unlink(temporary_link.c_str());
   return temporary.renamed;
 }
@@ -182,14 +181,14 @@ enum class OldFile { goes, stays_as_previous };
 
 void replace_file(const fs::path& path, const fs::path& target, const struct stat* old,
                   std::span<const std::byte> bytes, OldFile old_file) {
-  // A rename would replace a write-protected file without a word.
+  // A rename would silently replace a write-protected file.
   if (old && ::access(target.c_str(), W_OK) != 0) fail(EX_CANTCREAT, "replace", path, errno);
   const fs::path folder = folder_of(target);
   const std::string prefix = temporary_prefix(target);
   remove_stale_temporaries(folder, prefix);
 
   const std::string name = temporary_name(folder, prefix);
-  // The name is ours alone, so a file that has it is a dead run's that had our process id.
+  // The name is ours alone, so an existing file comes from a dead run that had our process id.
   ::unlink(name.c_str());
   Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) fail(EX_CANTCREAT, "create", path, errno);
@@ -216,7 +215,7 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile 
   if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
-  // Of a file that stat() cannot tell about, the creation will say what is wrong.
+  // If stat() fails for another reason, creating the file will report it.
   if (exists && S_ISDIR(old.st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
   if (descriptor_named(path) || (exists && !S_ISREG(old.st_mode))) return write_directly(path, bytes);
   replace_file(path, follow_links(path), exists ? &old : nullptr, bytes, old_file);
@@ -260,7 +259,7 @@ std::vector<std::byte> read_file(const fs::path& path) {
   if (S_ISDIR(status.st_mode)) fail(EX_NOINPUT, "read", path, EISDIR);
   std::vector<std::byte> bytes;
   std::size_t used = 0;
-  // One byte more than the file should have, so that its end is found without another round.
+  // One byte more than the file should have, so that its end is found without growing the buffer.
   bytes.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536);
   for (;;) {
     if (used == bytes.size()) bytes.resize(bytes.size() * 2);

@@ -1,5 +1,5 @@
-// Tells contents apart: which scene a checkpoint belongs to, and whether a block of a file is what was written. Against
-// accidents, not against forgers. The numbers are XXH3's (xxhash.com), the same on every machine.
+// Identifies content: which scene a checkpoint belongs to, and whether a block of a file is what was written. Protects
+// against accidents, not against forgery. The hash is XXH3 (xxhash.com), the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace penumbra {
 
-// 128 bits: no two contents that anyone has will ever agree by chance.
+// 128 bits: in practice no two different contents collide by chance.
 struct ContentHash {
   std::uint64_t low = 0, high = 0;
 
@@ -28,7 +28,7 @@ class ContentHasher {
   ContentHasher(const ContentHasher&) = delete;
   ContentHasher& operator=(const ContentHasher&) = delete;
 
-  // Where one content ends and the next begins counts.
+  // The boundaries between contents matter.
   void add(std::span<const std::byte> content);
   ContentHash value() const;
 
@@ -37,7 +37,7 @@ class ContentHasher {
   std::unique_ptr<State> state_;
 };
 
-// The checksum of one block of bytes: another for every seed.
+// The checksum of one block of bytes, different for every seed.
 std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t seed);
 
 }  // namespace penumbra

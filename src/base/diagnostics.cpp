@@ -1,5 +1,5 @@
-// How a finding reads on a terminal: the place and the message, the line itself, a caret under the marked text, the
-// hint.
+// Formats a diagnostic for a terminal: the position and the message, the line itself, a caret under the marked text,
+// the hint.
 #include "base/diagnostics.hpp"
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@ bool is_control(char byte) {
   return (code < 0x20 && byte != '\t') || code == 0x7F;
 }
 
-// The line without anything that could move the cursor of a terminal.
+// The line without control characters, which could move the cursor of a terminal.
 std::string printable(std::string line) {
   std::replace_if(line.begin(), line.end(), is_control, '?');
   return line;
 }
 
-// Blanks as wide as the text before the mark, then the mark. Tabs are kept, so that both lines are indented alike.
+// Spaces as wide as the text before the mark, then the mark. Tabs are kept, so that both lines are indented alike.
 std::string caret_line(const std::string& line, std::size_t column, std::size_t width) {
   std::string caret;
   for (std::size_t i = 0; i < column; i++) {

@@ -1,4 +1,4 @@
-// What is wrong or odd in an input file, with its place: one value per finding, and how it reads on a terminal.
+// Errors and warnings in an input file, each with its position, and their form on a terminal.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ enum class Severity { warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   std::string file;         // as the user would find it
-  int line = 0;             // from 1; 0 when the finding has no line (a missing file, say)
+  int line = 0;             // from 1; 0 if there is none (a missing file, say)
   int column = 0;           // from 1, in bytes
   int width = 1;            // length of the marked text in bytes
   std::string message;      // what is wrong and what was expected, one sentence without a full stop

@@ -1,11 +1,11 @@
-// Mixing of 32-bit words, for plain integers and for lanes of them alike.
+// Hashing of 32-bit words, for plain integers and lanes alike.
 #pragma once
 
 #include <cstdint>
 
 namespace penumbra {
 
-// A bijection of 32-bit words whose every output bit depends on every input bit ("lowbias32", C. Wellons, 2018).
+// A bijection of 32-bit words in which every output bit depends on every input bit ("lowbias32", C. Wellons, 2018).
 template <typename Word>
 inline __attribute__((always_inline)) Word mix_bits(Word x) {
   x = x ^ (x >> 16);

@@ -1,5 +1,5 @@
-// Vectors and elementary functions of W lanes. The functions are our own, from + - * / and sqrt alone: the C library's
-// give other bits on machines with and without fused multiply-add. Errors stated are the largest measured ones.
+// Vectors and elementary functions of W lanes. The functions are our own, from + - * / and sqrt alone: those of the C
+// library give different bits on machines with and without fused multiply-add. Stated errors are the largest measured.
 #pragma once
 
 #include "base/lanes.hpp"
@@ -27,7 +27,7 @@ PENUMBRA_INLINE Float3 select(Mask m, Float3 a, Float3 b) {
 }
 PENUMBRA_INLINE Float3 keep(Mask m, Float3 a) { return {keep(m, a.x), keep(m, a.y), keep(m, a.z)}; }
 
-// The unit vector along a; not a number where a is zero.
+// The unit vector along a; NaN where a is zero.
 PENUMBRA_INLINE Float3 normalize(Float3 a) { return a * (Floats(1) / sqrt(dot(a, a))); }
 
 // W copies of three numbers in memory.
@@ -37,8 +37,8 @@ struct SinCos {
   Floats sine, cosine;
 };
 
-// Sine and cosine of u turns (2 pi u), |u| < 2^20; absolute error below 1.2e-7. Quarter turns by symmetry, Taylor's
-// polynomials with minimax coefficients on an eighth turn to each side (Cephes, Moshier 1989).
+// Sine and cosine of u turns (2 pi u), |u| < 2^20; absolute error below 1.2e-7. Quarter turns by symmetry, then
+// polynomials with minimax coefficients over an eighth of a turn to each side (Cephes, Moshier 1989).
 PENUMBRA_INLINE SinCos sincos_turns(Floats u) {
   const Floats quarter = round(u * Floats(4));
   const Floats x = (u - quarter * Floats(0.25f)) * Floats(6.28318530717958648f);
@@ -56,8 +56,8 @@ PENUMBRA_INLINE SinCos sincos_turns(Floats u) {
   return {as_floats(as_ints(select(odd, c, s)) ^ sine_sign), as_floats(as_ints(select(odd, s, c)) ^ cosine_sign)};
 }
 
-// Logarithm to base 2 of a positive normal number; absolute error below 2e-7 of the larger of 1 and the result.
-// The mantissa is brought to [sqrt(1/2), sqrt(2)) and log2 taken by the series of the inverse hyperbolic tangent.
+// Logarithm to base 2 of a positive normal number; error below 2e-7 times the larger of 1 and |result|. The mantissa is
+// scaled to [sqrt(1/2), sqrt(2)) and log2 computed by the series of the inverse hyperbolic tangent.
 PENUMBRA_INLINE Floats log2(Floats a) {
   const Ints shifted = as_ints(a) - Ints(0x3f3504f3u);  // bits of sqrt(1/2)
   const Ints exponent_bits = shifted & Ints(0xff800000u);
@@ -69,7 +69,7 @@ PENUMBRA_INLINE Floats log2(Floats a) {
   return exponent + (series * t + t * Floats(2.88539008178f));
 }
 
-// 2 to the power a, for a in [-126, 126] (smaller: 2^-126); relative error below 2.5e-7.
+// 2 to the power of a, clamped to [-126, 126]; relative error below 2.5e-7.
 PENUMBRA_INLINE Floats exp2(Floats a) {
   const Floats clamped = min(max(a, Floats(-126)), Floats(126));
   const Floats whole = round(clamped);
@@ -93,8 +93,8 @@ PENUMBRA_INLINE Floats pow(Floats base, Floats exponent) {
   return select(exponent == Floats(0), Floats(1), keep(~tiny, power));
 }
 
-// base^exponent for a whole exponent > 0, by squaring; relative error below exponent * 2^-24. Both kinds multiply in
-// one order, so that they give the same bits.
+// base^exponent for an integer exponent > 0, by repeated squaring; relative error below exponent * 2^-24. Both
+// overloads multiply in the same order, so they give the same bits.
 PENUMBRA_INLINE Floats whole_power(Floats base, std::uint32_t exponent) {
   Floats result = Floats(1);
   for (; exponent != 0; exponent >>= 1, base *= base) {

@@ -1,9 +1,9 @@
 // W rays at a time: the SIMD vocabulary that everything traced per ray is written in. One lane is one ray.
 //
-// A packet is two vectors of the instruction set, because most steps of a ray wait for the one before: with two of each
-// at hand the processor has twice as much to do meanwhile. The vector's length comes from the build (PENUMBRA_LANES): a
-// file that includes this is compiled once for each instruction set, each time into its own namespace, so that the
-// linker can never merge code of two instruction sets. Every operation here is exact in the sense of IEEE 754 (no fused
+// A packet is two vectors of the instruction set, because most steps of a ray wait for the one before: with two vectors
+// the processor has twice as much to do meanwhile. The vector length comes from the build (PENUMBRA_LANES): a file that
+// includes this is compiled once for each instruction set, each time into its own namespace, so that the linker can
+// never merge code of two instruction sets. Every operation here is exact in the sense of IEEE 754 (no fused
 // multiply-add, no reciprocal estimates) and gives the same bits for every W.
 //
 // Arithmetic is the compiler's own vector arithmetic; what it has no operator for (masks, square roots, gathers) is in
@@ -24,14 +24,14 @@
 #error "PENUMBRA_LANES must be 4, 8 or 16"
 #endif
 
-// What a file defines that keeps a record of rays (tracing/recording.cpp): all of this has another name there.
+// Defined by the file that records rays (tracing/recording.cpp): there, everything is in another namespace.
 #ifdef PENUMBRA_RECORDS
 #define PENUMBRA_KERNEL PENUMBRA_LANES_NAME::recording
 #else
 #define PENUMBRA_KERNEL PENUMBRA_LANES_NAME
 #endif
 
-// Under the sanitizers, calls are left calls: inlined, the instrumented packets take minutes to compile.
+// Under the sanitizers nothing is forced inline: the instrumented packets would take minutes to compile.
 #ifdef PENUMBRA_SANITIZED
 #define PENUMBRA_INLINE inline
 #else
@@ -65,7 +65,7 @@ struct Floats {
 
   PENUMBRA_INLINE Floats() = default;
   PENUMBRA_INLINE Floats(FloatVector low, FloatVector high) : lo(low), hi(high) {}
-  PENUMBRA_INLINE Floats(float value) : lo(value - FloatVector{}), hi(lo) {}  // NOLINT: a number stands for W of it
+  PENUMBRA_INLINE Floats(float value) : lo(value - FloatVector{}), hi(lo) {}  // NOLINT: a number stands for W copies
 };
 
 // W 32-bit integers, unsigned for shifts and wrap-around.
@@ -116,7 +116,7 @@ PENUMBRA_INLINE Mask operator~(Mask a) { return {one::complement(a.lo), one::com
 PENUMBRA_INLINE Mask& operator&=(Mask& a, Mask b) { return a = a & b; }
 PENUMBRA_INLINE Mask& operator|=(Mask& a, Mask b) { return a = a | b; }
 
-// One bit for each lane, that of lane 0 lowest.
+// One bit per lane, lane 0 lowest.
 PENUMBRA_INLINE std::uint32_t bits(Mask m) { return one::bits(m.lo) | (one::bits(m.hi) << vector_lanes); }
 PENUMBRA_INLINE Mask mask_from_bits(std::uint32_t b) {
   return {one::mask_from_bits(b), one::mask_from_bits(b >> vector_lanes)};
@@ -134,17 +134,17 @@ PENUMBRA_INLINE Mask operator!=(Floats a, Floats b) { return {one::unequal(a.lo,
 PENUMBRA_INLINE Mask operator==(Ints a, Ints b) { return {one::equal(a.lo, b.lo), one::equal(a.hi, b.hi)}; }
 PENUMBRA_INLINE Mask operator<(Ints a, Ints b) { return {one::less(a.lo, b.lo), one::less(a.hi, b.hi)}; }
 
-// Where the mask is set a, elsewhere b.
+// a where the mask is set, b elsewhere.
 PENUMBRA_INLINE Floats select(Mask m, Floats a, Floats b) {
   return {one::select(m.lo, a.lo, b.lo), one::select(m.hi, a.hi, b.hi)};
 }
 PENUMBRA_INLINE Ints select(Mask m, Ints a, Ints b) {
   return {one::select(m.lo, a.lo, b.lo), one::select(m.hi, a.hi, b.hi)};
 }
-// Where the mask is set a, elsewhere zero.
+// a where the mask is set, zero elsewhere.
 PENUMBRA_INLINE Floats keep(Mask m, Floats a) { return select(m, a, Floats(0)); }
 
-// As the instructions: where a number is not a number, the second.
+// Like the instructions: if either operand is NaN, the result is the second.
 PENUMBRA_INLINE Floats min(Floats a, Floats b) { return {one::min(a.lo, b.lo), one::min(a.hi, b.hi)}; }
 PENUMBRA_INLINE Floats max(Floats a, Floats b) { return {one::max(a.lo, b.lo), one::max(a.hi, b.hi)}; }
 PENUMBRA_INLINE Ints max(Ints a, Ints b) { return {one::max(a.lo, b.lo), one::max(a.hi, b.hi)}; }
@@ -176,7 +176,7 @@ PENUMBRA_INLINE Ints load(const std::uint32_t* p) {
   __builtin_memcpy(&a.hi, p + vector_lanes, sizeof a.hi);
   return a;
 }
-// The lanes of one vector, for both vectors of a packet.
+// Loads one vector into both vectors of a packet.
 PENUMBRA_INLINE Ints load_twice(const std::uint32_t* p) {
   Ints a;
   __builtin_memcpy(&a.lo, p, sizeof a.lo);
@@ -199,18 +199,18 @@ PENUMBRA_INLINE Ints gather(const std::uint32_t* base, Ints index) {
   return {one::gather(base, index.lo), one::gather(base, index.hi)};
 }
 
-// Four words, again and again.
+// Four words, repeated.
 PENUMBRA_INLINE Ints sixteen_bytes(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const UintVector v =
       one::repeat(_mm_setr_epi32(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c), static_cast<int>(d)));
   return {v, v};
 }
-// Within each 16 bytes: byte i of the result is byte where[i] of `bytes`.
+// Within each 16 bytes, byte i of the result is byte where[i] of `bytes`.
 PENUMBRA_INLINE Ints pick_bytes(Ints bytes, Ints where) {
   return {one::pick_bytes(bytes.lo, where.lo), one::pick_bytes(bytes.hi, where.hi)};
 }
 
-// All bits set in the lanes of the mask: what Embree calls valid.
+// All bits set in the lanes of the mask, as Embree marks valid rays.
 PENUMBRA_INLINE Ints lane_bits(Mask m) { return {one::lane_bits(m.lo), one::lane_bits(m.hi)}; }
 
 PENUMBRA_INLINE Floats abs(Floats a) { return as_floats(as_ints(a) & Ints(0x7fffffffu)); }

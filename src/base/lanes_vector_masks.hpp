@@ -1,4 +1,4 @@
-// Masks of an instruction set without mask registers: vectors of words, all ones or all zeros.
+// Masks for instruction sets without mask registers: vectors of words, all ones or all zeros.
 #pragma once
 
 namespace penumbra::PENUMBRA_KERNEL::one {

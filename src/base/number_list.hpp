@@ -1,4 +1,4 @@
-// Small lists of numbers in texts, such as options take.
+// Parses short lists of numbers, as options take them.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Pixels of a picture, and rectangles of them: what is cropped, a tile, the data window of a file.
+// Pixels of a picture, and rectangles of them: a crop, a tile, the data window of a file.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace penumbra {
 
-inline constexpr int most_pixels = 1 << 28;  // of a picture in all, be it rendered or read
+inline constexpr int most_pixels = 1 << 28;  // in a picture, rendered or read
 
 // Counted from the top left of the picture.
 struct Pixel {
@@ -32,7 +32,7 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
-// What two rectangles have in common; its width or height is not above 0 where that is nothing.
+// The intersection of two rectangles; if it is empty, its width or height is not above 0.
 inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }

@@ -1,5 +1,5 @@
-// A shared library that is loaded when it is needed first: linking to a large one costs every start of the program
-// milliseconds, also where nothing of it is used.
+// A shared library that is loaded when it is first needed: linking to a large one costs every start of the program
+// milliseconds, even where it is not used.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ class SharedLibrary {
   // `advice`.
   SharedLibrary(const std::string& file, const std::string& advice);
 
-  // Sets `function` to the one of that name. Throws std::runtime_error if there is none.
+  // Sets `function` to the function of this name. Throws std::runtime_error if there is none.
   template <typename Function>
   void load(const char* name, Function*& function) const {
     function = reinterpret_cast<Function*>(find(name));

@@ -23,7 +23,7 @@ int default_thread_count() {
     const char* end = slurm + std::strlen(slurm);
     if (std::from_chars(slurm, end, count).ptr == end && count > 0) return count;
   }
-  // A mask may have more places than cpu_set_t, on machines that have.
+  // Machines with more processors than cpu_set_t has places need a larger mask.
   for (int places = CPU_SETSIZE; places <= 1 << 20; places *= 2) {
     const std::unique_ptr<cpu_set_t, FreeCpuSet> allowed(CPU_ALLOC(places));
     const std::size_t size = CPU_ALLOC_SIZE(places);

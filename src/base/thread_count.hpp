@@ -3,7 +3,7 @@
 
 namespace penumbra {
 
-// How many threads to use when none are asked for: what Slurm gives the task, else the processors this process may use.
+// The number of threads to use when none is given: what Slurm gives the task, else the processors this process may use.
 int default_thread_count();
 
 }  // namespace penumbra

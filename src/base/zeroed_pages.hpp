@@ -1,5 +1,5 @@
-// Memory for large arrays that begin as zeros: straight from the kernel, in its large pages where it has such. Of small
-// pages, a picture takes tens of thousands, and the kernel a millisecond to hand out a few hundred of them.
+// Memory for large arrays that begin as zeros, straight from the operating system, in huge pages where it has them. A
+// picture takes tens of thousands of small pages, and handing out a few hundred of them takes a millisecond.
 #pragma once
 
 #include <sys/mman.h>
@@ -27,7 +27,7 @@ class ZeroedPages {
     if (count > std::numeric_limits<std::size_t>::max() / (2 * sizeof(T))) throw std::bad_alloc();
     const std::size_t bytes = count * sizeof(T);
     if (bytes < fewest_bytes) return static_cast<T*>(std::memset(::operator new(bytes, alignment), 0, bytes));
-    // As much as it takes to begin and end at large pages; what is never written takes no memory.
+    // Enough to begin and end at huge pages; what is never written takes no memory.
     const std::size_t size = whole_pages(bytes);
     void* const memory = mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
@@ -36,7 +36,7 @@ class ZeroedPages {
     void* const aligned = static_cast<std::byte*>(memory) + before;
     if (before > 0) munmap(memory, before);
     if (before < large_page) munmap(static_cast<std::byte*>(aligned) + size, large_page - before);
-    madvise(aligned, size, MADV_HUGEPAGE);  // a wish: small pages do as well, but slower
+    madvise(aligned, size, MADV_HUGEPAGE);  // a hint: small pages work too, but slower
     return static_cast<T*>(aligned);
   }
 
@@ -49,7 +49,7 @@ class ZeroedPages {
     }
   }
 
-  // What is made without a value is 0 already: only for types that begin as zeros.
+  // An element made without a value is 0 already: only for types that begin as zeros.
   void construct(T*) {}
   template <class... Values>
   void construct(T* place, Values&&... values) {
@@ -60,13 +60,13 @@ class ZeroedPages {
 
  private:
   static constexpr std::align_val_t alignment{alignof(T)};
-  static constexpr std::size_t large_page = std::size_t{2} << 20;  // bytes, of the kernel's large pages
-  // Below that, clearing a large page takes longer than a few small ones do.
+  static constexpr std::size_t large_page = std::size_t{2} << 20;  // bytes of a huge page
+  // Below this, clearing a huge page takes longer than clearing a few small ones.
   static constexpr std::size_t fewest_bytes = large_page / 8;
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
 };
 
-// A vector that was made smaller and grows again by resize() finds what was there before, not 0.
+// A vector that shrank and grows again by resize() finds its old values there, not 0.
 template <class T>
 using ZeroedVector = std::vector<T, ZeroedPages<T>>;
 

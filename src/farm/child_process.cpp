@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// One end to write to, for a child; one to read from, for us.
+// A pipe that a child writes to and we read from.
 class Pipe {
  public:
   Pipe() {
@@ -42,7 +42,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-// -1 where it cannot be started.
+// Returns -1 if the program cannot be started.
 pid_t start(const std::vector<std::string>& words, posix_spawn_file_actions_t* actions) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
@@ -59,7 +59,7 @@ int wait_for(pid_t pid) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// Reads until both are closed; false if the time is up before.
+// Reads until both are closed; false if the time runs out first.
 bool read_all(const Pipe& output, const Pipe& errors, ChildResult& result, Clock::time_point end) {
   std::array<pollfd, 2> polled{pollfd{output.in(), POLLIN, 0}, pollfd{errors.in(), POLLIN, 0}};
   const std::array<std::string*, 2> texts{&result.output, &result.errors};
@@ -91,7 +91,7 @@ ChildResult run_child(const std::vector<std::string>& words, double time_limit) 
   ::posix_spawn_file_actions_destroy(&actions);
   ChildResult result;
   if (pid < 0) {
-    result.errors = "there is no such program";
+    result.errors = "no such program";
     return result;
   }
   output.close_out();
@@ -99,7 +99,7 @@ ChildResult run_child(const std::vector<std::string>& words, double time_limit) 
   const auto duration = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit));
   if (!read_all(output, errors, result, Clock::now() + duration)) {
     ::kill(pid, SIGKILL);
-    result.errors += "it takes too long";
+    result.errors += "timed out";
   }
   result.exit_code = wait_for(pid);
   return result;

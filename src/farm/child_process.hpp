@@ -1,4 +1,4 @@
-// Other programs, run to their end.
+// Runs other programs to their end.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 namespace penumbra {
 
 struct ChildResult {
-  int exit_code = 127;  // 127 where there is no such program; 128 and the signal where one ended it
+  int exit_code = 127;  // 127: no such program; 128 + N: ended by signal N
   std::string output, errors;
 };
 
-// Runs a program, found in PATH, with these arguments; no shell comes in between. It is ended after so many seconds.
+// Runs a program, found in PATH, with these arguments and without a shell. It is killed after `time_limit` seconds.
 ChildResult run_child(const std::vector<std::string>& words, double time_limit);
 
-// The same with the terminal, or whatever this program writes to, left to it. Returns the exit code.
+// The same without a time limit, with this program's input and output. Returns the exit code.
 int run_child_in_sight(const std::vector<std::string>& words);
 
 }  // namespace penumbra

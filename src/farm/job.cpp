@@ -92,7 +92,7 @@ auto parsed(const fs::path& path, const Read& read) {
 
 }  // namespace
 
-// As `render` names what it is told to write to parts/N.exr.
+// The name that `render -o parts/N.exr` gives to a part.
 fs::path JobFolder::part(const Job& job, int unit, int picture) const {
   std::string name = fmt::format("{}", unit);
   if (job.pictures > 1) name += fmt::format("-{}", picture);
@@ -134,7 +134,7 @@ void JobFolder::create(const Job& job) const {
   write_text(shard_script(), penumbra::shard_script(job, *this));
   write_text(merge_script(), penumbra::merge_script(job, *this));
   for (const fs::path& script : {shard_script(), merge_script()}) {
-    std::error_code ignored;  // whoever starts it can name bash
+    std::error_code ignored;  // the scripts can still be started with `bash`
     fs::permissions(script, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                     fs::perm_options::add, ignored);
   }

@@ -1,16 +1,16 @@
-// A job of the farm as data: one frame or many, each in shards, and the folder in which all of it happens.
+// A farm job as data: one frame or many, each divided into shards, and the folder in which it all happens.
 //
-//   job.json      what is to be done; written once
-//   state.json    what was submitted again, which frames are finished
-//   shard.sh      renders what one task has to render
-//   merge.sh      puts together what there is, has the rest rendered again
-//   parts/        N.exr for each unit; N.0007.exr where it is of frame 7
+//   job.json      what to do; written once
+//   state.json    resubmissions and finished frames
+//   shard.sh      renders the units of one task
+//   merge.sh      merges the parts, resubmits missing ones
+//   parts/        N.exr for each unit N; N.0007.exr if it belongs to frame 7
 //   checkpoints/  of units that were stopped midway
 //   stats/        N.json: what unit N took
-//   logs/         what the tasks said
+//   logs/         output of the tasks
 //
-// A unit is one shard of one frame; they are numbered shard by shard, frame by frame. A task is what a scheduler
-// starts: task t of T renders the units t, t + T, t + 2T, ..., as Slurm's arrays have 1000 tasks at most.
+// A unit is one shard of one frame; units are numbered frame by frame, shard by shard. A task is what the scheduler
+// starts: task t of T renders the units t, t + T, t + 2T, ..., because Slurm's arrays have at most 1000 tasks.
 #pragma once
 
 #include <filesystem>
@@ -27,21 +27,21 @@ inline constexpr int most_units = 1'000'000;
 struct Job {
   struct Frames {
     int first = 0, last = 0, step = 1;
-    int digits = 4;  // of a frame's number in the name of a file
+    int digits = 4;  // of the frame number in a file name
   };
 
   std::string version;               // of the program
-  std::string name;                  // in Slurm; no other job has it
-  std::string program, scene;        // absolute
-  std::string scene_hash;            // of all scene files when the job was submitted, in hexadecimal digits
-  std::vector<std::string> options;  // words for `render`
-  int threads = 1;                   // of a task
+  std::string name;                  // in Slurm, unique to this job
+  std::string program, scene;        // absolute paths
+  std::string scene_hash;            // of all scene files at submission, in hexadecimal digits
+  std::vector<std::string> options;  // arguments of `render`
+  int threads = 1;                   // per task
   std::string partition;             // empty: Slurm's default
-  std::optional<int> minutes;        // for a task; none: Slurm's default
-  int shards = 1;                    // of a frame
+  std::optional<int> minutes;        // per task; none: Slurm's default
+  int shards = 1;                    // per frame
   std::optional<Frames> frames;      // none: a single picture
-  int pictures = 1;                  // of the scene file
-  // The absolute names of the files for each picture of each frame: outputs[frame][picture].
+  int pictures = 1;                  // in the scene file
+  // The absolute paths of the output files of each picture of each frame: outputs[frame][picture].
   std::vector<std::vector<std::vector<std::string>>> outputs;
 
   int units() const { return shards * static_cast<int>(outputs.size()); }
@@ -53,7 +53,7 @@ struct Job {
 struct JobState {
   int resubmissions = 0;
   bool submitted = false;
-  std::set<int> finished;  // frames, from 0, whose pictures are written
+  std::set<int> finished;  // frames, counted from 0, whose pictures are written
 };
 
 // The files of a job.
@@ -67,13 +67,13 @@ class JobFolder {
   std::filesystem::path shard_script() const { return path_ / "shard.sh"; }
   std::filesystem::path merge_script() const { return path_ / "merge.sh"; }
   std::filesystem::path parts() const { return path_ / "parts"; }
-  // Of one unit, one for each picture of the scene, counted from 1.
+  // The part of one unit for one picture of the scene, counted from 1.
   std::filesystem::path part(const Job& job, int unit, int picture) const;
   std::filesystem::path stats(int unit) const;
 
-  // Throw FileError: 66 where there is none, 65 where it is not what was written.
+  // Throw FileError: 66 if the file is missing, 65 if it is not what was written.
   Job read_job() const;
-  JobState read_state() const;  // as at the beginning where there is none
+  JobState read_state() const;  // the initial state if there is none
   // Throw FileError 73, 74.
   void create(const Job& job) const;
   void write(const JobState& state) const;

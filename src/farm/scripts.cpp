@@ -9,7 +9,7 @@
 namespace penumbra {
 namespace {
 
-// The lines that only Slurm reads. What is started again after its node was lost goes on in the same log.
+// The lines for Slurm. A task that is restarted after its node was lost appends to the same log.
 std::string head(const Job& job, const std::string& name, const char* log, int threads) {
   std::string text = fmt::format(
       "#!/bin/bash\n"
@@ -28,7 +28,7 @@ std::string enter(const JobFolder& folder) {
   return fmt::format("cd {} || exit 73\n", shell_word(folder.path().string()));
 }
 
-// A render that ends by itself has time to save: a tenth of the limit before Slurm ends it, within reason.
+// A render needs time to save: it stops a tenth of the limit, but 15 to 120 s, before Slurm kills it.
 int seconds_of_sitting(int minutes) { return 60 * minutes - std::clamp(6 * minutes, 15, 120); }
 
 }  // namespace
@@ -36,7 +36,7 @@ int seconds_of_sitting(int minutes) { return 60 * minutes - std::clamp(6 * minut
 std::string shard_script(const Job& job, const JobFolder& folder) {
   std::string text = head(job, job.name, "%a", job.threads);
   text +=
-      "# Renders the shards of one task: ./shard.sh TASK, or Slurm says which. What is there is not rendered again.\n";
+      "# Renders the shards of one task: ./shard.sh TASK, or Slurm sets TASK. Existing parts are not rendered again.\n";
   text += enter(folder);
   text += "task=${1:-$SLURM_ARRAY_TASK_ID}\n";
   text += fmt::format("for ((unit = task; unit < {}; unit += {})); do\n", job.units(), job.tasks());
@@ -64,7 +64,7 @@ std::string shard_script(const Job& job, const JobFolder& folder) {
   text +=
       "\n"
       "  code=$?\n"
-      "  # Out of time or interrupted: its checkpoint is written, and it goes on when its turn comes again.\n"
+      "  # Out of time or interrupted: the checkpoint is written, and the render resumes on its next turn.\n"
       "  [ $code -eq 75 ] && [ $# -eq 0 ] && scontrol requeue \"$SLURM_JOB_ID\"\n"
       "  [ $code -eq 0 ] || exit $code\n"
       "done\n";
@@ -73,7 +73,7 @@ std::string shard_script(const Job& job, const JobFolder& folder) {
 
 std::string merge_script(const Job& job, const JobFolder& folder) {
   std::string text = head(job, merge_name(job), "merge", 1);
-  text += "# Puts the parts together; what is missing or damaged is submitted again, a few times.\n";
+  text += "# Merges the parts; resubmits what is missing or damaged, a few times.\n";
   text += enter(folder);
   text += fmt::format("{} farm collect . --resubmit {}\n", shell_word(job.program), most_resubmissions);
   return text;

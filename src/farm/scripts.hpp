@@ -1,5 +1,5 @@
-// The two batch scripts of a job. They are Slurm's, and plain bash for everybody else: `./shard.sh 7` does task 7,
-// `./merge.sh` what comes after the last.
+// The two scripts of a job, for Slurm and equally for plain bash: `./shard.sh 7` renders task 7, `./merge.sh` does what
+// comes after the last task.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Text as a word of a shell script, whatever it holds.
+// Quotes any text as one word of a shell script.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace penumbra {
 
 std::string shell_word(const std::string& text);
 
-// With spaces in between.
+// The quoted texts with spaces in between.
 std::string shell_words(const std::vector<std::string>& texts);
 
 }  // namespace penumbra

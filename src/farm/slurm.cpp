@@ -44,7 +44,7 @@ std::optional<int> whole_number(std::string_view text) {
   return number;
 }
 
-// Of "D-HH:MM:SS" without what is 0 at its front; 0 where it is anything else.
+// Parses "D-HH:MM:SS" without leading zero parts; 0 for anything else.
 double elapsed_seconds(std::string_view text) {
   double days = 0, seconds = 0;
   if (const std::size_t dash = text.find('-'); dash != text.npos) {
@@ -70,7 +70,7 @@ std::vector<std::string> merge_command_after(const JobFolder& folder, const std:
 std::string submit(const std::vector<std::string>& command) {
   const std::string output = asked(command);
   std::string id = output.substr(0, output.find_first_of(";\n"));  // "ID" or "ID;CLUSTER"
-  if (!whole_number(id)) throw SlurmError(fmt::format("`{}` gave no id of a job, but `{}`", command.front(), output));
+  if (!whole_number(id)) throw SlurmError(fmt::format("`{}` printed no job id, but `{}`", command.front(), output));
   return id;
 }
 

@@ -23,7 +23,7 @@ std::vector<int> numbers_of(std::string_view text, char separator) {
   }
 }
 
-// Of "5" and the like; 0 for what is no time.
+// Seconds of "5", "5m" and the like; 0 for any other text.
 double seconds_with_unit(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -1,4 +1,4 @@
-// Times as Slurm's users write them, and as those of this program do.
+// Parses times as users of Slurm and of this program write them.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,7 @@
 namespace penumbra {
 namespace {
 
-// With the tasks that run now, each going on with units of the same length.
+// Assumes that the current tasks keep running, on units of equal length.
 double time_left(const JobStatus& status, const Queue& queue, const Job& job, double seconds_of_unit) {
   double work = seconds_of_unit * static_cast<double>(status.waiting.size());
   double longest = 0;
@@ -25,7 +25,7 @@ double time_left(const JobStatus& status, const Queue& queue, const Job& job, do
   return std::max(work / static_cast<double>(status.running.size()), longest);
 }
 
-// "12", "1 h 05 min".
+// "12 s", "5 min", "1 h 05 min".
 std::string span_text(double seconds) {
   const auto minutes = static_cast<long>(std::ceil(seconds / 60));
   if (seconds < 90) return fmt::format("{:.0f} s", std::ceil(seconds));
@@ -51,7 +51,7 @@ JobStatus status_of(const Job& job, const JobState& state, const std::vector<boo
   status.resubmissions = state.resubmissions;
   status.merged = state.finished.size() == job.outputs.size();
   status.merge_queued = queue && queue->merge;
-  std::set<int> busy;  // tasks whose unit at work is found
+  std::set<int> busy;  // tasks whose running unit is found
   for (int unit = 0; unit < job.units(); unit++) {
     if (done[static_cast<std::size_t>(unit)]) {
       status.done.insert(unit);
@@ -78,23 +78,23 @@ std::string to_text(const Job& job, const JobStatus& status, WallClock::time_poi
   text += '\n';
   text += row("done", status.done, false) + row("running", status.running, true) +
           row("waiting", status.waiting, true) + row("lost", status.lost, true) + row("unknown", status.unknown, true);
-  if (!status.reasons.empty()) text += fmt::format("  they wait for: {}\n", fmt::join(status.reasons, ", "));
-  if (status.resubmissions > 0) text += fmt::format("submitted again: {} times\n", status.resubmissions);
+  if (!status.reasons.empty()) text += fmt::format("  waiting for: {}\n", fmt::join(status.reasons, ", "));
+  if (status.resubmissions > 0) text += fmt::format("resubmissions: {}\n", status.resubmissions);
   const std::string& first = job.outputs.front().front().front();
   if (status.merged) {
     text += fmt::format("finished: {}{}\n", first, job.outputs.size() > 1 ? " and its frames" : "");
   } else if (!status.silence.empty()) {
-    text += fmt::format("Slurm does not answer, so what runs is not known ({})\n", status.silence);
+    text += fmt::format("Slurm does not answer, so it is not known what runs ({})\n", status.silence);
   } else if (status.seconds_left) {
-    text += fmt::format("estimated end: {:%H:%M} (in {}), if as many go on running\n",
+    text += fmt::format("estimated end: {:%H:%M} (in {}), if as many keep running\n",
                         fmt::localtime(WallClock::to_time_t(later(now, *status.seconds_left))),
                         span_text(*status.seconds_left));
   } else if (!status.waiting.empty()) {
-    text += "estimated end: not known before something runs\n";
+    text += "estimated end: unknown until a task runs\n";
   } else if (status.merge_queued) {
     text += "the merge comes next\n";
   } else {
-    text += "nothing of it is in Slurm's queue any more: `penumbra farm collect` finishes it\n";
+    text += "nothing of it is left in Slurm's queue: `penumbra farm collect` finishes it\n";
   }
   return text;
 }

@@ -1,4 +1,4 @@
-// How far a job is: what its folder and Slurm say, put together.
+// The progress of a job, from what its folder and Slurm say.
 #pragma once
 
 #include <chrono>
@@ -14,17 +14,17 @@ namespace penumbra {
 
 struct JobStatus {
   std::set<int> done, running, waiting;  // units
-  std::set<int> lost;                    // neither there nor known to Slurm
-  std::set<int> unknown;                 // not there, and Slurm does not answer
+  std::set<int> lost;                    // neither done nor known to Slurm
+  std::set<int> unknown;                 // not done, and Slurm does not answer
   bool merged = false;                   // all pictures are written
   bool merge_queued = false;
   int resubmissions = 0;
   std::string silence;                 // why Slurm does not answer; empty where it does
   std::set<std::string> reasons;       // why tasks wait
-  std::optional<double> seconds_left;  // if as many tasks run as now
+  std::optional<double> seconds_left;  // if as many tasks keep running
 };
 
-// `queue` is none where Slurm does not answer, and `silence` tells why.
+// `queue` is empty if Slurm does not answer, and `silence` says why.
 JobStatus status_of(const Job& job, const JobState& state, const std::vector<bool>& done,
                     const std::optional<Queue>& queue, const std::string& silence,
                     std::optional<double> seconds_of_unit);

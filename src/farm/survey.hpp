@@ -1,4 +1,4 @@
-// Which units of a job are done, by what lies in its folder.
+// Which units of a job are done, judging by its folder.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace penumbra {
 
-// For each unit whether all its parts are there. `is_whole` is asked for those that are; it need not read all of them.
+// For each unit, whether all its parts exist and are whole by `is_whole`, which need not read them completely.
 std::vector<bool> units_done(const Job& job, const JobFolder& folder,
                              const std::function<bool(const std::filesystem::path&)>& is_whole);
 
-// What a unit takes from start to end, in seconds: the mean over some of those that were rendered; none without any.
+// The seconds that a unit takes from start to end: the mean over some of the rendered ones; none if there are none.
 std::optional<double> seconds_of_unit(const Job& job, const JobFolder& folder);
 
 }  // namespace penumbra

@@ -6,7 +6,7 @@
 namespace penumbra {
 namespace {
 
-// The strokes of a digit on a grid of 0-4 to the right and 0-6 downward, two figures a place, blanks between strokes.
+// The strokes of a character on a grid, 0-4 to the right and 0-6 down: two digits per place, spaces between strokes.
 std::string_view strokes_of(char character) {
   switch (character) {
     case '0':
@@ -66,7 +66,7 @@ void Canvas::around(Point centre, double reach, F&& f) {
   }
 }
 
-// `depth` is the distance of the pixel's centre to the edge of the shape, positive inside.
+// `depth` is the distance of the pixel's centre from the edge of the shape, positive inside.
 void Canvas::blend(int x, int y, const Color& color, double depth) {
   const auto covered = static_cast<float>(std::clamp(0.5 + depth, 0.0, 1.0));
   const auto width = static_cast<std::size_t>(image_.width);
@@ -87,7 +87,7 @@ void Canvas::ring(Point centre, double radius, double width, const Color& color)
 
 void Canvas::curve(const std::vector<Point>& points, double width, const Color& color) {
   if (points.empty()) return;
-  // The distance to the nearest segment first, so that joints are not painted twice.
+  // First the distance to the nearest segment, so that joints are not painted twice.
   const double reach = width / 2 + 1;
   const auto bounds_of = [&](const Point& a, const Point& b) {
     return PixelRect{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),

@@ -1,5 +1,5 @@
-// Drawing for the program's own plots: smooth-edged shapes and numbers on an image. A pixel
-// takes the colour by its distance from the edge of the shape, over a ramp one pixel wide.
+// Draws the program's own plots: smooth-edged shapes and numbers on an image. How much of the colour a pixel takes
+// depends on its distance from the edge of the shape, over a ramp one pixel wide.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class Canvas {
 
   Canvas(int width, int height, const Color& background);
 
-  // Nothing outside this rectangle of whole pixels is drawn on from here on.
+  // From now on, nothing outside this rectangle of whole pixels is drawn.
   void clip_to(const PixelRect& window) { clip_ = window; }
   void clip_to_all() { clip_ = {0, 0, image_.width, image_.height}; }
 
@@ -30,7 +30,7 @@ class Canvas {
   // Lines from each place to the next, with round joints, as one shape.
   void curve(const std::vector<Point>& points, double width, const Color& color);
 
-  // Digits, `.` and `-`, `height` pixels high, with the middle of the text at `centre`; anything else is left blank.
+  // Digits, `.` and `-`, `height` pixels high, with the middle of the text at `centre`; other characters are blank.
   void number(Point centre, double height, std::string_view text, const Color& color);
 
   Image take() { return std::move(image_); }

@@ -1,4 +1,3 @@
-// See comparison.hpp.
 #include "image/comparison.hpp"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ double largest(const std::vector<float>& differences) {
   return differences.empty() ? 0.0 : *std::max_element(differences.begin(), differences.end());
 }
 
-// Compares the layers that both have, and widens the pixels' differences by theirs.
+// Compares the layers that both files have, and raises each pixel's difference to that of its layers.
 void compare_layers(const ImageFile& a, const ImageFile& b, float threshold, Comparison& result,
                     std::vector<float>& all_differences) {
   for (const Channel& layer : a.layers) {

@@ -1,5 +1,4 @@
-// Whether two pictures are the same, with the thresholds and the verdicts of OpenImageIO's idiff, and all the figures
-// that tell how far they are apart.
+// Whether two pictures are the same, by the thresholds and verdicts of OpenImageIO's idiff, and how much they differ.
 #pragma once
 
 #include <cstddef>
@@ -42,16 +41,16 @@ struct Comparison {
   double max_difference = 0;                // of the colours
   std::size_t pixels_beyond = 0;            // `fail`, of the colours
   std::vector<float> pixel_differences;     // of the colours
-  std::vector<LayerComparison> layers;      // those that both have
-  std::vector<std::string> missing_layers;  // those that only one has
+  std::vector<LayerComparison> layers;      // in both files
+  std::vector<std::string> missing_layers;  // in one file only
 };
 
 // Whether the pictures have the same size and, where both are crops, show the same window.
 bool can_compare(const ImageFile& a, const ImageFile& b);
 
 // Compares pictures for which can_compare() holds. Failed: more than fail_percent of the pixels are beyond `fail`, or
-// one is beyond hard_fail; else a warning by the other three; else same. Layers that both have count as colours do; a
-// layer that only one has is a failure if the other has any, and is left out if it has none (a PNG, say).
+// one is beyond hard_fail; else a warning by the other three; else same. Layers in both files count like colours; a
+// layer in one file only is a failure if the other file has any, and is ignored if it has none (a PNG, say).
 Comparison compare(const ImageFile& a, const ImageFile& b, const Thresholds& thresholds);
 
 }  // namespace penumbra

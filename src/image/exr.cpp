@@ -17,7 +17,7 @@ namespace {
 const ExrModule& exr_module() {
   static const ExrModule* const module = [] {
     try {
-      const SharedLibrary file("libpenumbra_exr.so", "it belongs beside the program, and needs OpenEXR");
+      const SharedLibrary file("libpenumbra_exr.so", "it belongs beside the program and needs OpenEXR");
       decltype(&penumbra_exr_module) get = nullptr;
       file.load("penumbra_exr_module", get);
       return get();
@@ -36,7 +36,7 @@ void require_agreement(const ImageFile& file) {
   require_metadata_keys(file.metadata);
   const bool fits = file.window.width() == file.image.width && file.window.height() == file.image.height &&
                     file.full_width > 0 && file.full_height > 0;
-  if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture is not of the picture's size");
+  if (!fits) throw FileError(EX_SOFTWARE, "the window of a picture does not have the picture's size");
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name) 
   try {
     return module.decode(bytes, name);
   } catch (const std::exception& error) {
-    throw FileError(EX_DATAERR, fmt::format("`{}` is not a good EXR file: {}", name, error.what()));
+    throw FileError(EX_DATAERR, fmt::format("`{}` is not a valid EXR file: {}", name, error.what()));
   }
 }
 

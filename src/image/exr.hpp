@@ -1,5 +1,5 @@
-// OpenEXR in memory: 32-bit float colours, layers as further channels, the crop as data window within the full picture
-// as display window, metadata as text attributes, ZIP compression. The same picture gives the same bytes.
+// OpenEXR in memory: 32-bit float colours, layers as further channels, the crop as data window, the full picture as
+// display window, metadata as text attributes, ZIP compression. The same picture gives the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ namespace penumbra {
 // Throws FileError 70 when sizes do not agree or OpenEXR refuses the picture.
 std::vector<std::byte> encode_exr(const ImageFile& file);
 
-// Whether the bytes begin as an EXR file does.
+// Whether the bytes begin like an EXR file.
 bool is_exr(std::span<const std::byte> bytes);
 
-// The picture in an EXR file of one part, scan lines or tiles, half, float or whole numbers: R, G, B (or grey from Y)
-// as image, all other full-resolution channels as layers. `name` is for the error message. Throws FileError 65 when the
-// file is damaged, has neither colours nor grey, or is larger than 2^28 pixels.
+// Decodes an EXR file of one part, with scan lines or tiles of half, float or integer numbers: R, G, B (or grey from Y)
+// become the image, all other full-resolution channels the layers. `name` is for the error message. Throws FileError 65
+// when the file is damaged, has neither colours nor grey, or is larger than 2^28 pixels.
 ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// OpenEXR on the library of that name: see exr.hpp.
+// Encodes and decodes EXR in memory with the OpenEXR library; see exr.hpp.
 #include "image/exr_module.hpp"
 
 #include <ImathBox.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view key_prefix = "penumbra:";
 
-// OpenEXR writes its table of offsets last, so the stream must be able to go back.
+// OpenEXR writes its table of offsets last, so the stream must be seekable.
 class MemoryOutput : public Imf::OStream {
  public:
   MemoryOutput() : Imf::OStream("picture") {}
@@ -64,7 +64,7 @@ class MemoryInput : public Imf::IStream {
   std::size_t position_ = 0;
 };
 
-// The header of a file, with the window as data window of the full picture.
+// The header of a file: its window is the data window, the full picture the display window.
 Imf::Header header_for(const ImageFile& file) {
   const Imath::Box2i full({0, 0}, {file.full_width - 1, file.full_height - 1});
   const Imath::Box2i data({file.window.x0, file.window.y0}, {file.window.x1 - 1, file.window.y1 - 1});
@@ -90,7 +90,7 @@ bool covers_pixels(const Imf::Channel* channel) {
   return channel && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
-// The channels that make the picture: R, G, B, or Y three times; none where neither is there.
+// The channels of the picture: R, G, B, or Y three times; empty if there are neither.
 std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) { return covers_pixels(channels.findChannel(name)); };
   if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
@@ -106,14 +106,14 @@ std::uint64_t bytes_per_pixel(const Imf::ChannelList& channels) {
   return sum;
 }
 
-// Compressions whose gain is bounded as Deflate's is.
+// Compression methods whose ratio is bounded, as that of Deflate is.
 bool is_bounded(Imf::Compression compression) {
   return compression == Imf::NO_COMPRESSION || compression == Imf::RLE_COMPRESSION ||
          compression == Imf::ZIP_COMPRESSION || compression == Imf::ZIPS_COMPRESSION ||
          compression == Imf::PXR24_COMPRESSION;
 }
 
-// The size of a data window, or an exception that says why it cannot be.
+// The size of the data window; throws if it is not plausible.
 Imath::V2i checked_size(const Imf::Header& header, std::size_t file_bytes) {
   const Imath::Box2i& data = header.dataWindow();
   const std::int64_t width = std::int64_t{data.max.x} - data.min.x + 1;
@@ -123,7 +123,7 @@ Imath::V2i checked_size(const Imf::Header& header, std::size_t file_bytes) {
           ? 0
           : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * bytes_per_pixel(header.channels());
   if (!is_plausible_size(width, height, raw_bytes, file_bytes)) {
-    throw std::runtime_error(fmt::format("it says it has {} x {} pixels", width, height));
+    throw std::runtime_error(fmt::format("it claims to have {} x {} pixels", width, height));
   }
   return {static_cast<int>(width), static_cast<int>(height)};
 }
@@ -138,13 +138,13 @@ Metadata metadata_of(const Imf::Header& header) {
   return metadata;
 }
 
-// A grey channel is read once, into r; g and b then get the same.
+// A grey channel is read once, into r, and copied to g and b.
 void spread_grey(ZeroedVector<float>& rgb) {
   for (std::size_t i = 0; i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
 }
 
 // Whether all attributes of the (first) header lie within the file: name, 0, type, 0, length in four bytes, value; an
-// empty name ends them. OpenEXR reserves memory for an attribute before it reads it: 2 GB if a damaged length says so.
+// empty name ends them. OpenEXR allocates memory for an attribute before it reads it: 2 GB if a damaged length says so.
 bool has_all_attributes(std::span<const std::byte> bytes) {
   std::size_t at = 8;
   while (at < bytes.size() && bytes[at] != std::byte{0}) {
@@ -160,7 +160,7 @@ bool has_all_attributes(std::span<const std::byte> bytes) {
   return at < bytes.size();
 }
 
-// OpenEXR's own limit on sizes, which it checks before it reserves memory for lines.
+// Sets OpenEXR's own limit on sizes, which it checks before it allocates memory for lines.
 void limit_size() {
   static const bool done = [] {
     Imf::Header::setMaxImageSize(largest_image_side, largest_image_side);

@@ -1,5 +1,5 @@
-// The part of EXR files that is built on OpenEXR, as a module of its own: OpenEXR is loaded when the first EXR file is
-// read or written, because loading it takes as long as a small picture does.
+// The code that uses OpenEXR, in a separate module that is loaded when the first EXR file is read or written, because
+// loading OpenEXR takes as long as rendering a small picture.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace penumbra {
 
-// As encode_exr and decode_exr. Both throw std::exception with the reason alone.
+// Like encode_exr and decode_exr, but both throw std::exception with only the reason.
 struct ExrModule {
   std::vector<std::byte> (*encode)(const ImageFile& file);
   ImageFile (*decode)(std::span<const std::byte> bytes, const std::string& name);
 };
 
-// The only function that the module shows.
+// The only function that the module exports.
 extern "C" __attribute__((visibility("default"))) const ExrModule* penumbra_exr_module();
 
 }  // namespace penumbra

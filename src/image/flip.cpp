@@ -1,7 +1,6 @@
-// See flip.hpp. Section and equation names follow the paper: the colour pipeline (4.1: filter by contrast sensitivity,
-// Hunt-adjusted L*a*b*, HyAB distance, compression) and the feature pipeline (4.2: edges and points), joined in 4.3.
-// All filters are sums of products of one-dimensional ones, and are applied as such; at the border the last pixel
-// repeats.
+// Section and equation names follow the paper: the colour pipeline (4.1: filter by contrast sensitivity, Hunt-adjusted
+// L*a*b*, HyAB distance, compression) and the feature pipeline (4.2: edges and points), joined in 4.3. All filters are
+// sums of separable ones and are applied as such; at the border the last pixel repeats.
 #include "image/flip.hpp"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ Plane make_plane(int width, int height) {
 
 // ------------------------------------------------------------------------------------------------------ colour spaces
 
-// sRGB primaries (IEC 61966-2-1) with the white D65.
+// sRGB primaries (IEC 61966-2-1) with white point D65.
 Affine xyz_from_linear_rgb() {
   const auto of_chromaticity = [](double x, double y) { return Vec3{x / y, 1, (1 - x - y) / y}; };
   Affine primaries;
@@ -47,7 +46,7 @@ Vec3 each(Vec3 v, double (*function)(double)) { return {function(v.x), function(
 Vec3 product(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 Vec3 quotient(Vec3 a, Vec3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 
-// Written so that what is not a number becomes 0.
+// Written so that NaN becomes 0.
 double clamped(double v) { return v > 0 ? (v < 1 ? v : 1) : 0; }
 
 double linear_from_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
@@ -138,7 +137,7 @@ Plane filter_columns(const Plane& plane, const Kernel& down) {
 
 // --------------------------------------------------------------------------------------------------- colour difference
 
-// One term a sqrt(pi/b) exp(-pi^2 d^2 / b) of a contrast sensitivity function in space, d in degrees.
+// One term a sqrt(pi/b) exp(-pi^2 d^2 / b) of a spatial contrast sensitivity function, d in degrees.
 struct SensitivityTerm {
   double a, b;
 };
@@ -151,8 +150,8 @@ const std::array<Sensitivity, 3>& sensitivities() {
   return table;
 }
 
-// The plane filtered by one sensitivity function of sum 1. A term's standard deviation is sqrt(b / (2 pi^2)) degrees;
-// all filters reach three times the largest.
+// Filters the plane by one sensitivity function, scaled to sum 1. A term's standard deviation is sqrt(b / (2 pi^2))
+// degrees; all filters reach three times the largest.
 Plane filter_by_sensitivity(const Plane& plane, const Sensitivity& sensitivity, double pixels_per_degree) {
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * pixels_per_degree));
   std::vector<Kernel> kernels;
@@ -203,7 +202,7 @@ double largest_colour_distance(const ColourSpaces& spaces) {
   return std::pow(hyab(green, blue), compression_exponent);
 }
 
-// From a HyAB distance to the error 0..1: distances up to p_c = 0.4 of the largest fill the range up to p_t = 0.95.
+// Maps a HyAB distance to an error in 0..1: distances up to p_c = 0.4 of the largest fill the range up to p_t = 0.95.
 double colour_error(double distance, double largest) {
   constexpr double pc = 0.4, pt = 0.95;
   const double compressed = std::pow(distance, compression_exponent), knee = pc * largest;
@@ -213,7 +212,7 @@ double colour_error(double distance, double largest) {
 
 // -------------------------------------------------------------------------------------------------- feature difference
 
-// Scales the negative weights to sum -1 and the positive ones to sum 1, each for itself.
+// Scales the negative weights to sum -1 and the positive ones to sum 1, separately.
 Kernel balanced(Kernel kernel) {
   double negative = 0, positive = 0;
   for (const double weight : kernel) (weight < 0 ? negative : positive) += std::abs(weight);
@@ -221,7 +220,7 @@ Kernel balanced(Kernel kernel) {
   return kernel;
 }
 
-// The strength of edges and of points: the lengths of the first and of the second derivatives along x and y.
+// The strength of edges and points: the magnitudes of the first and second derivatives along x and y.
 struct Features {
   std::vector<float> edges, points;
 };
@@ -236,7 +235,7 @@ std::vector<float> gradient_length(const Plane& plane, const Kernel& derivative,
 
 Features features_of(Plane achromatic, double pixels_per_degree) {
   for (float& v : achromatic.values) v = (v + 16) / 116;
-  // Humans see edges as a line of w = 0.082 degrees; the standard deviation is half of that.
+  // Humans see edges as lines w = 0.082 degrees wide; the standard deviation is half of that.
   const double deviation = 0.5 * 0.082 * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * deviation));
   const Kernel bell = gaussian(radius, deviation);

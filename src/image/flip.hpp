@@ -1,6 +1,6 @@
-// The difference that a viewer sees when two pictures are flipped in place: LDR-FLIP of Andersson, Nilsson,
+// The difference that a viewer perceives when flipping between two pictures in place: LDR-FLIP of Andersson, Nilsson,
 // Akenine-Moller, Oskarsson, Astrom, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proceedings of
-// the ACM on Computer Graphics and Interactive Techniques 3(2), 2020. Written from the paper's equations.
+// the ACM on Computer Graphics and Interactive Techniques 3(2), 2020. Implemented from the paper's equations.
 #pragma once
 
 #include <numbers>

@@ -1,4 +1,3 @@
-// See heatmap.hpp.
 #include "image/heatmap.hpp"
 
 #include <algorithm>

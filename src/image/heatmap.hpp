@@ -1,5 +1,5 @@
-// A false-colour picture of where two pictures differ: from black over violet, red and orange to pale yellow, each
-// colour lighter than the one before, so that it also reads in grey and for the colour-blind.
+// A false-colour picture of where two pictures differ: from black through violet, red and orange to pale yellow, each
+// colour lighter than the one before, so that it also works in grey and for colour-blind viewers.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace penumbra {
 
-// The ramp's colour for t in 0..1; t beyond is clamped.
+// The ramp's colour for t, which is clamped to 0..1.
 void heat_colour(float t, float rgb[3]);
 
-// One pixel for each difference: black for 0, pale yellow for `scale` and more, infinite ones too.
+// One pixel per difference: black for 0, pale yellow for `scale` and more, including infinity.
 Image heatmap(const std::vector<float>& differences, int width, int height, float scale);
 
 }  // namespace penumbra

@@ -1,4 +1,3 @@
-// See image_file.hpp.
 #include "image/image_file.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Pictures to and from files, whatever the format: the door that the rest of the program uses. Writing is atomic (see
-// base/atomic_file.hpp) and the same picture gives the same bytes, always.
+// Reads and writes picture files, whatever the format: the interface for the rest of the program. Writing is atomic
+// (see base/atomic_file.hpp), and the same picture always gives the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,24 @@ namespace penumbra {
 
 enum class ImageFormat { none, png, exr };
 
-// The format that the ending of a file name asks for, in whatever case; none for any other ending.
+// The format of a file name by its ending, in upper or lower case; none for any other ending.
 ImageFormat format_of(const std::filesystem::path& path);
 
-// How a PNG holds the colours; an EXR holds them as they are.
+// How a PNG stores colours; an EXR stores them as they are.
 struct Quantization {
   int bits = 8;  // 8 or 16
   Rounding rounding = Rounding::nearest;
 };
 
-// The file's bytes. The layers of a PNG are left out. Throws FileError 73 for ImageFormat::none, 70 for sizes that do
-// not agree with each other.
+// The bytes of the file. A PNG omits the layers. Throws FileError 73 for ImageFormat::none, 70 for sizes that do not
+// agree with each other.
 std::vector<std::byte> encode_image(const ImageFile& file, ImageFormat format, const Quantization& quantization);
 
-// Writes a picture in the format that the name asks for. Throws FileError, 73 or 74.
+// Writes a picture in the format of its name. Throws FileError, 73 or 74.
 void write_image(const std::filesystem::path& path, const ImageFile& file, const Quantization& quantization = {});
 
-// Reads a PNG or an EXR, told apart by their first bytes. Throws FileError: 66 when there is no such file, 74 when it
-// cannot be read, 65 when it is no picture or a damaged one.
+// Reads a PNG or an EXR, distinguished by their first bytes. Throws FileError: 66 when there is no such file, 74 when
+// it cannot be read, 65 when it is not a picture or is damaged.
 ImageFile read_image(const std::filesystem::path& path);
 
 }  // namespace penumbra

@@ -1,4 +1,3 @@
-// See limits.hpp.
 #include "image/limits.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What sizes of picture are taken for real: a damaged or hostile file must not make the program reserve memory that its
+// Which picture sizes are plausible: a damaged or hostile file must not make the program allocate memory that its
 // pixels could never fill.
 #pragma once
 
@@ -12,18 +12,18 @@ namespace penumbra {
 constexpr int largest_image_side = 1 << 17;
 
 // Whether a file of `file_bytes` can hold a picture of this size that takes `raw_bytes` before compression by Deflate,
-// which never gains more than a factor of 1032 (RFC 1951: 258 bytes from two bits at best).
+// which compresses at most by a factor of 1032 (RFC 1951: 258 bytes from two bits at best).
 constexpr bool is_plausible_size(std::int64_t width, std::int64_t height, std::uint64_t raw_bytes,
                                  std::size_t file_bytes) {
   return width > 0 && height > 0 && width <= largest_image_side && height <= largest_image_side &&
          width * height <= most_pixels && raw_bytes / 1032 <= file_bytes;
 }
 
-// Throws FileError 70 unless there are `values_per_pixel` values for every pixel of a picture that is not empty and not
-// beyond the limits.
+// Throws FileError 70 if the picture is empty or beyond the limits, or does not have `values_per_pixel` values for
+// every pixel.
 void require_image_size(int width, int height, std::size_t value_count, int values_per_pixel);
 
-// Throws FileError 70 unless all keys are as image.hpp says: what other programs refuse or cut must not be written.
+// Throws FileError 70 unless all keys are as image.hpp says: other programs would refuse or truncate them.
 void require_metadata_keys(const Metadata& metadata);
 
 }  // namespace penumbra

@@ -1,4 +1,3 @@
-// See metrics.hpp.
 #include "image/metrics.hpp"
 
 #include <algorithm>
@@ -52,7 +51,7 @@ ErrorFigures error_figures(const Image& a, const Image& b) {
 }
 
 std::vector<float> luma(const Image& image) {
-  // Written so that what is not a number becomes 0.
+  // Written so that NaN becomes 0.
   const auto clamped = [](float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; };
   std::vector<float> result(image.rgb.size() / 3);
   for (std::size_t i = 0; i < result.size(); i++) {

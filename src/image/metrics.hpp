@@ -1,6 +1,6 @@
-// How far two pictures of the same size are apart, in plain numbers: the difference of each pixel, mean absolute error,
-// RMSE and PSNR. Differences are on the scene's scale (a PNG's n/255). What is not finite matches its like (NaN to NaN,
-// infinity to the same infinity); where it meets anything else the difference is infinite.
+// How much two pictures of the same size differ, in plain numbers: the difference of each pixel, mean absolute error,
+// RMSE and PSNR. Differences are on the scale of the scene (n/255 for a PNG). Non-finite values match their like (NaN
+// and NaN, infinity and the same infinity); their difference from anything else is infinite.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ float difference(float a, float b);
 // The largest difference among the three colours of each pixel.
 std::vector<float> pixel_differences(const Image& a, const Image& b);
 
-// The largest of the numbers that is finite; 0 for none.
+// The largest finite number; 0 if there is none.
 float largest_finite(std::span<const float> differences);
 
-// How many of the numbers are larger than the threshold; an infinite one is, whatever the threshold.
+// How many of the numbers exceed the threshold; an infinite one always does.
 std::size_t count_beyond(std::span<const float> differences, float threshold);
 
 struct ErrorFigures {

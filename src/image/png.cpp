@@ -1,6 +1,5 @@
-// PNG on libpng, with pixels compressed by libdeflate: see png.hpp. libpng reports errors by longjmp, so each run of
-// its calls stands in a function of its own that has no object with a destructor; what must be freed belongs to the
-// caller.
+// PNG with libpng, pixels compressed by libdeflate; see png.hpp. libpng reports errors by longjmp, so each sequence of
+// its calls has its own function without any object that has a destructor; what must be freed belongs to the caller.
 #include "image/png.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +24,7 @@ namespace {
 
 constexpr std::string_view key_prefix = "penumbra:";
 
-// libpng's own words for an error, kept until the C frames are left.
+// libpng's error message, kept until the C frames are left.
 using Message = std::array<char, 200>;
 
 void keep_message(png_structp png, png_const_charp message) {
@@ -79,9 +78,8 @@ void quantize_row(std::span<const float> values, int bits, Rounding rounding, pn
   }
 }
 
-// The rows as they are compressed: the byte of the filter and what it makes of the samples. With the differences from
-// the pixel to the left, files are 5 to 25 % smaller than with the samples themselves; differences from the pixel above
-// are no better.
+// The rows as they are compressed: the filter byte and the filtered samples. With differences from the pixel to the
+// left, files are 5 to 25 % smaller than with the samples themselves; differences from the pixel above are no better.
 ZeroedVector<png_byte> filtered_rows(const Image& image, int bits, Rounding rounding) {
   const std::size_t row_values = 3 * static_cast<std::size_t>(image.width);
   const std::size_t pixel_bytes = 3 * static_cast<std::size_t>(bits / 8);
@@ -99,7 +97,7 @@ ZeroedVector<png_byte> filtered_rows(const Image& image, int bits, Rounding roun
   return filtered;
 }
 
-// Level 1 of libdeflate takes half of the time of level 1 of zlib, for files that are 4 to 17 % smaller; level 3 makes
+// Level 1 of libdeflate takes half the time of level 1 of zlib, for files that are 4 to 17 % smaller; level 3 makes
 // them another 3 to 6 % smaller in 1.2 to 1.8 times the time.
 ZeroedVector<png_byte> compressed(std::span<const png_byte> bytes) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
@@ -108,12 +106,12 @@ ZeroedVector<png_byte> compressed(std::span<const png_byte> bytes) {
   ZeroedVector<png_byte> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
   const std::size_t size =
       libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size());
-  if (size == 0) throw FileError(EX_SOFTWARE, "cannot make a PNG: its pixels do not fit where they always do");
+  if (size == 0) throw FileError(EX_SOFTWARE, "cannot make a PNG: its pixels exceed libdeflate's own bound");
   result.resize(size);
   return result;
 }
 
-// False after an error; the writer then has its message. `pixels` are compressed rows.
+// Returns false after an error, whose message the writer then holds. `pixels` are compressed rows.
 bool write_picture(Writer& writer, const Image& image, int bits, std::span<png_text> text,
                    std::span<const png_byte> pixels) {
   if (setjmp(png_jmpbuf(writer.png))) return false;
@@ -155,8 +153,8 @@ void take_bytes(png_structp png, png_bytep data, std::size_t size) {
   rest = rest.subspan(size);
 }
 
-// Whether all chunks up to the last lie within the file. libpng reserves memory for a chunk before it reads it: 2 GB if
-// a damaged length says so.
+// Whether all chunks up to the last lie within the file. libpng allocates memory for a chunk before it reads it: 2 GB
+// if a damaged length says so.
 bool has_all_chunks(std::span<const std::byte> bytes) {
   std::size_t at = 8;
   while (bytes.size() >= at + 12) {
@@ -178,7 +176,7 @@ bool read_header(Reader& reader) {
   return true;
 }
 
-// Asks for RGB of 8 or 16 bits whatever the file has.
+// Requests RGB of 8 or 16 bits, whatever the file has.
 bool choose_output(Reader& reader) {
   if (setjmp(png_jmpbuf(reader.png))) return false;
   png_set_expand(reader.png);
@@ -229,7 +227,7 @@ Metadata metadata_of(const Reader& reader) {
 std::vector<std::byte> encode_png(const Image& image, const Metadata& metadata, int bits, Rounding rounding) {
   require_image_size(image.width, image.height, image.rgb.size(), 3);
   require_metadata_keys(metadata);
-  if (bits != 8 && bits != 16) throw FileError(EX_SOFTWARE, fmt::format("a PNG cannot have {} bits a colour", bits));
+  if (bits != 8 && bits != 16) throw FileError(EX_SOFTWARE, fmt::format("a PNG cannot have {} bits per colour", bits));
   std::vector<std::string> keys;
   for (const auto& entry : metadata) keys.push_back(std::string(key_prefix) + entry.first);
   std::vector<png_text> text(metadata.size());
@@ -258,7 +256,7 @@ bool is_png(std::span<const std::byte> bytes) {
 ImageFile decode_png(std::span<const std::byte> bytes, const std::string& name) {
   Reader reader(bytes);
   const auto damaged = [&](std::string_view why) {
-    return FileError(EX_DATAERR, fmt::format("`{}` is not a good PNG file: {}", name, why));
+    return FileError(EX_DATAERR, fmt::format("`{}` is not a valid PNG file: {}", name, why));
   };
   if (!reader.info) throw damaged("not enough memory to read it");
   if (!is_png(bytes)) throw damaged("it does not begin like one");
@@ -270,7 +268,7 @@ ImageFile decode_png(std::span<const std::byte> bytes, const std::string& name) 
                                  png_get_channels(reader.png, reader.info) * static_cast<std::uint64_t>(width) *
                                  static_cast<std::uint64_t>(height);
   if (!is_plausible_size(width, height, raw_bits / 8, bytes.size())) {
-    throw damaged(fmt::format("it says it has {} x {} pixels", width, height));
+    throw damaged(fmt::format("it claims to have {} x {} pixels", width, height));
   }
 
   if (!choose_output(reader)) throw damaged(reader.message.data());

@@ -1,5 +1,5 @@
-// PNG (ISO/IEC 15948) in memory, on libpng. Written: RGB of 8 or 16 bits with the metadata as text and nothing that
-// depends on the machine or the hour, so the same picture gives the same bytes. Read: every kind, as RGB.
+// PNG (ISO/IEC 15948) in memory, with libpng. Writes RGB of 8 or 16 bits with the metadata as text and nothing that
+// depends on the machine or the time, so the same picture gives the same bytes. Reads every kind of PNG, as RGB.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace penumbra {
 // Throws FileError 70 when the image is empty or libpng refuses it.
 std::vector<std::byte> encode_png(const Image& image, const Metadata& metadata, int bits, Rounding rounding);
 
-// Whether the bytes begin as a PNG file does.
+// Whether the bytes begin like a PNG file.
 bool is_png(std::span<const std::byte> bytes);
 
 // The picture in a PNG file: values are n/255 or n/65535 without gamma, grey and palette become RGB, transparency is

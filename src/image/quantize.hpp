@@ -1,5 +1,5 @@
-// From a colour to the whole number a file keeps: the nearest one, or the one the course's own programs write. All
-// steps but the last are exact in double, so the result depends on the float alone. No gamma.
+// Maps a colour to the integer that a file stores: the nearest one, or the one that the course's own programs write.
+// All steps but the last are exact in double precision, so the result depends on the float alone. No gamma.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace penumbra {
 
 enum class Rounding {
   nearest,  // floor(max * v + 0.5)
-  course    // floor(max * v + 1e-4): 0.3 gives 76 of 255, and 0.2 gives 51 even when it is the next float below
+  course    // floor(max * v + 1e-4): 0.3 gives 76 of 255, and 0.2 gives 51, as does the next float below it
 };
 
-// The number in 0..max for a colour v; v is clamped to 0..1, and what is not a number gives 0.
+// The number in 0..max for a colour v, which is clamped to 0..1; NaN gives 0.
 inline std::int32_t quantize(float v, std::int32_t max, Rounding rounding) {
   const float clamped = v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f;
   return static_cast<std::int32_t>(static_cast<double>(max) * clamped + (rounding == Rounding::course ? 1e-4 : 0.5));

@@ -1,5 +1,5 @@
-// See ssim.hpp. The Gaussian window is separable: each row of windows is first summed down the columns, then along the
-// row, in double, so that the variances (equation 15) can be differences of moments.
+// The Gaussian window is separable: each row of windows is first summed down the columns, then along the row, in double
+// precision, so that the variances (equation 15) can be differences of moments.
 #include "image/ssim.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void add(Moments& sum, double weight, const Moments& moments) {
   for (std::size_t k = 0; k < sum.size(); k++) sum[k] += weight * moments[k];
 }
 
-// Gaussian weights of sum 1 for offsets -r..r, r = 5 or what fits into `side`.
+// Gaussian weights of sum 1 for offsets -r..r, r = 5 or the largest that fits into `side`.
 std::vector<double> window_weights(int side) {
   const int radius = std::min(5, (side - 1) / 2);
   std::vector<double> weights;

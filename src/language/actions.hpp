@@ -37,6 +37,7 @@ void shadow_rays(Reading& reading, const Call& call);
 void point_light(Reading&, const Call&);
 void light_of_2018(Reading&, const Call&);
 void disk_light(Reading&, const Call&);
+void quad_light(Reading&, const Call&);
 void spotlight(Reading&, const Call&);
 
 // surface_actions.cpp
@@ -64,6 +65,7 @@ void moving_sphere(Reading&, const Call&);
 void box(Reading&, const Call&);
 void cylinder(Reading&, const Call&);
 void hollow_cylinder(Reading&, const Call&);
+void cone(Reading&, const Call&);
 void mesh(Reading&, const Call&);
 
 // group_actions.cpp

@@ -104,6 +104,15 @@ void cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, 
 
 void hollow_cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, false); }
 
+void cone(Reading& reading, const Call& call) {
+  const Cone cone{call.vec(0), call[3], call[4]};
+  if (!fits_single_precision(cone.apex + Vec3{0, cone.height, 0}) ||
+      !fits_single_precision({cone.height * cone.slope, 0, 0})) {
+    return reading.diagnostics.error(call.place(), "this cone is too large at its top");
+  }
+  reading.report(call.place(), reading.builder.add_shape(cone));
+}
+
 void mesh(Reading& reading, const Call& call) {
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/number_list.hpp"
+#include "picture/development.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"

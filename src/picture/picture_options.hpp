@@ -50,12 +50,6 @@ struct PictureOptions {
   bool operator==(const PictureOptions&) const = default;
 };
 
-// The most half steps of exposure, either way.
-inline constexpr int most_exposure_halves = 40;
-
-// The factor of so many half steps: exact, and the same everywhere.
-double exposure_factor(int halves);
-
 // Says which option names a light or a surface that the scene does not have; empty if none does.
 std::string missing_number(const Scene& scene, const PictureOptions& options);
 

@@ -1,13 +1,13 @@
-// `bluenoise`: errors of neighbouring pixels cancel, so that what is left of the noise at few rays is fine-grained
-// (Georgiev and Fajardo 2016). All pixels have the same (0,2)-sequence, the first two coordinates of Sobol's, but each
-// flips its upper six bits by its place in a mask (bluenoise_mask.hpp); each dimension looks at another part of the
-// mask. The bits below are scrambled after Owen in every pixel, and the points of every octave of indices (2^k to
-// 2^(k+1) - 1) come in an order of the pixel's own, so each pixel alone is as good as `sobol` at any number of rays.
+// `bluenoise`: errors of neighbouring pixels cancel, so that the noise that remains at few rays is fine-grained
+// (Georgiev and Fajardo 2016). All pixels share one (0,2)-sequence, the first two dimensions of Sobol's, but each flips
+// the upper six bits by its entry in a mask (bluenoise_mask.hpp); each dimension reads a different part of the mask.
+// The lower bits are Owen-scrambled in every pixel, and the points of each octave of indices (2^k to 2^(k+1) - 1) come
+// in the pixel's own order, so each pixel alone is as good as `sobol` at any number of rays.
 //
-// The upper bits have a linear scrambling first, found by search, that gives the first 2, 4, 8 and 16 points the
-// least error at half planes and half disks. Measured on 128 x 128 pixels with 1, 2, 4 and 8
-// rays, over edges and smooth integrands: below 1/16 cycles a pixel at most 0.09 of the power that as many independent
-// points have, below 0.1 cycles at most 0.12; smooth ones 0.02.
+// First, a linear scrambling of the upper bits, found by search, gives the first 2, 4, 8 and 16 points the least error
+// over half-planes and half-disks. Measured on 128 x 128 pixels with 1, 2, 4 and 8 rays, over edges and smooth
+// integrands: below 1/16 cycle per pixel at most 0.09 of the power of as many independent points, below 0.1 cycle at
+// most 0.12; for smooth integrands 0.02.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// What the six upper bits of a coordinate, from the highest, turn into: each into itself and some lower bits.
+// The images of the six upper bits of a coordinate, from the highest: each is mapped to itself and some lower ones.
 using UpperBits = std::array<std::uint32_t, bluenoise_mask_bits>;
 inline constexpr UpperBits first_upper_bits = {0xfc000000u, 0x6c000000u, 0x38000000u,
                                                0x1c000000u, 0x0c000000u, 0x04000000u};
@@ -33,14 +33,14 @@ PENUMBRA_INLINE Ints scramble_upper_bits(Ints x, const UpperBits& images) {
   return y;
 }
 
-// Owen's scrambling of the bits below the upper six.
+// Owen-scrambles the bits below the upper six.
 PENUMBRA_INLINE Ints scramble_lower_bits(Ints x, Ints key) {
   const Ints lower(0xffffffffu >> bluenoise_mask_bits);
   const Ints scrambled = reverse_bits(scramble_upward(reverse_bits(x), key)) ^ mix_bits(key);
   return (x & Ints(~(0xffffffffu >> bluenoise_mask_bits))) | (scrambled & lower);
 }
 
-// The index among those of its octave in an order named by the key; 0 and 1 stay.
+// Permutes the indices of each octave in an order that the key names; 0 and 1 stay.
 PENUMBRA_INLINE Ints shuffle_octave(Ints index, Ints key) {
   Ints below = index >> 1;
   below = below | (below >> 1);
@@ -51,7 +51,7 @@ PENUMBRA_INLINE Ints shuffle_octave(Ints index, Ints key) {
   return (shuffle(index, key) & below) | (index ^ (index & below));
 }
 
-// The mask's word at a pixel: moved, mirrored and turned as a whole, otherwise for each seed and dimension.
+// The mask's word at a pixel; as a whole it is shifted, mirrored and transposed for each seed and dimension.
 PENUMBRA_INLINE Ints bluenoise_mask_at(Ints column, Ints row, std::uint32_t name) {
   constexpr std::uint32_t size = bluenoise_mask_size;
   Ints x = (column + Ints(name)) & Ints(size - 1), y = (row + Ints(name >> 8)) & Ints(size - 1);
@@ -61,7 +61,7 @@ PENUMBRA_INLINE Ints bluenoise_mask_at(Ints column, Ints row, std::uint32_t name
   return gather(bluenoise_mask.data(), place);
 }
 
-// Two dimensions of the sample of a pixel.
+// Two dimensions of a pixel's sample.
 inline Pair bluenoise_pair(Ints column, Ints row, Ints index, std::uint32_t dimension, std::uint32_t seed) {
   const std::uint32_t name = hash(hash(seed, 0x2f0b4c47u), dimension);
   const Ints key = hash(hash(column, row), Ints(name));

@@ -1,10 +1,10 @@
-// The blue-noise mask as text, two digits of base 64 for each pixel. Made by scripts/make_bluenoise_mask.cpp.
+// The blue-noise mask as text, two base-64 digits per pixel. Made by scripts/make_bluenoise_mask.cpp.
 #include "sampling/bluenoise_mask.hpp"
 
 namespace penumbra {
 namespace {
 
-// Half a row of the mask in each line.
+// Half a row of the mask per line.
 constexpr char text[] =
     // clang-format off
     "U9okNEN1vWxA8taNL60emPJpQEn3XeF9664uSfcUvIWqLFiyJo0QDWtuj2NoiUZXd8zc8yJNkX+55FB5Zh3ec7F+qkQRY27rbWLP9mHKqdiSMv6q3Oh-KuZNwxRzTcyg"

@@ -1,8 +1,8 @@
-// A mask of 128 x 128 pixels, each with a place of the unit square in 64 x 64 cells; every cell is four times in it.
-// Pixels near each other have places far from each other, in the square, along each side, and in the disk that the
-// square is bent to; so have the sets of 2, 4 and 8 places around each that bluenoise.hpp makes. The ends meet.
-// Made by scripts/make_bluenoise_mask.cpp: pixels are swapped while that lowers the energy of Gaussian-weighted
-// neighbours, whose low frequencies it measures (as Ulichney 1993 and Heitz and Belcour 2019 for other masks).
+// A mask of 128 x 128 pixels, each with one of the 64 x 64 cells of the unit square; every cell occurs four times.
+// Pixels near each other have cells far from each other: in the square, along each axis, and on the disk to which the
+// square is warped. So do the sets of 2, 4 and 8 points that bluenoise.hpp derives from each cell. The mask wraps
+// around. Made by scripts/make_bluenoise_mask.cpp, which swaps pixels to lower the energy of Gaussian-weighted
+// neighbours, a measure of low frequencies (as Ulichney 1993 and Heitz and Belcour 2019 for other masks).
 #pragma once
 
 #include <array>

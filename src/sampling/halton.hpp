@@ -1,25 +1,24 @@
-// `halton`: van der Corput's sequences in different prime bases (Halton 1960), each scrambled by Owen's nested method:
-// every digit is permuted, the permutation chosen by the digits before it. The permutations are d -> a d + s (mod
-// base): of any two digits every pair of images is equally likely, which is all that the variance depends on (Owen
-// 1995).
+// `halton`: van der Corput's sequences in different prime bases (Halton 1960), with Owen's nested scrambling: every
+// digit is permuted by a permutation that depends on the digits before it. The permutations are d -> a d + s
+// (mod base), under which all pairs of images of two digits are equally likely; the variance depends on nothing else
+// (Owen 1995).
 //
-// The place in the pixel has the bases 2 and 3, the time has base 5. Larger bases need more points than a pixel has
-// before they are better than random ones, so all other pairs have the bases 2 and 3 again, their indices shuffled anew
-// for each dimension.
+// The position in the pixel uses bases 2 and 3, the time base 5. Larger bases beat random points only with more points
+// than a pixel has, so all other pairs use bases 2 and 3 again, with indices shuffled separately for each dimension.
 #pragma once
 
 #include "sampling/owen.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// The digits of `index` in the base, mirrored at the point and scrambled; as many as 24 bits can hold.
+// The digits of `index` in the base, mirrored at the radix point and scrambled; as many as 24 bits hold.
 template <std::uint32_t base>
 inline Floats scrambled_radical_inverse(Ints index, Ints key) {
   Ints digits(0);
   Ints node = key;
   double scale = 1;
   while (scale < 16777216.0) {
-    // Two divisions, each below 2^24: the upper and the lower half of the word.
+    // Two divisions, of the upper and the lower half of the word, so that each dividend is below 2^24.
     const Ints upper = divide(index >> 16, Ints(base));
     const Ints rest = (((index >> 16) - upper * Ints(base)) << 16) | (index & Ints(0xffffu));
     const Ints lower = divide(rest, Ints(base));
@@ -37,12 +36,12 @@ inline Floats scrambled_radical_inverse(Ints index, Ints key) {
   return below_one(to_floats(digits) * Floats(static_cast<float>(1 / scale)));
 }
 
-// Where in the pixel: bases 2 and 3.
+// The position in the pixel: bases 2 and 3.
 inline Pair halton_pixel(Ints key, Ints other_key, Ints index) {
   return {scrambled_van_der_corput(index, key), scrambled_radical_inverse<3>(index, other_key)};
 }
 
-// When: base 5.
+// The time: base 5.
 inline Floats halton_time(Ints key, Ints index) { return scrambled_radical_inverse<5>(index, key); }
 
 // Two later dimensions.

@@ -1,5 +1,5 @@
-// `jittered`: one point in each of `count` cells of equal area, anywhere in its cell (the lecture's pages 5 to 9; Cook,
-// Porter, Carpenter 1984). Each dimension takes its cells in an order of its own, as Cook shuffled them.
+// `jittered`: one point anywhere in each of `count` cells of equal area (pages 5 to 9 of the lecture; Cook, Porter,
+// Carpenter 1984). Each dimension takes its cells in its own random order, as Cook proposed.
 #pragma once
 
 #include "sampling/permutation.hpp"

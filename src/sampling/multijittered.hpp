@@ -1,25 +1,25 @@
-// `multijittered`: one point in each of `count` cells, as jittered ones, and also one in each of `count` columns and
-// `count` rows (Chiu, Shirley, Wang 1994); all rows of cells share one order within their columns and all columns one
-// within their rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013). That is a
-// third less variance at edges than orders of their own would give, for more of it in smooth functions (N^-3/2 instead
-// of N^-2).
+// `multijittered`: one point in each of `count` cells, like `jittered`, and also one in each of `count` columns and
+// `count` rows (Chiu, Shirley, Wang 1994). All rows of cells share one order of columns and all columns of cells one
+// order of rows, which keeps neighbours apart (Kensler, "Correlated multi-jittered sampling", 2013). Compared with
+// separate orders, that lowers the variance by a third at edges and raises it for smooth functions (N^-3/2 instead of
+// N^-2).
 //
-// Where some rows of cells are longer (strata.hpp), the columns are dealt out to the long and the short rows as evenly
-// as whole columns can be, from a random start: then every point is in a column that its cell has a part of, and a
-// long row has each column with the same probability, which is what uniform density needs.
+// Where some rows of cells are longer (strata.hpp), the columns are distributed over the long and the short rows as
+// evenly as whole columns allow, from a random start. Every point then lies in a column that overlaps its cell, and a
+// long row has each column with the same probability, as uniform density requires.
 #pragma once
 
 #include "sampling/jittered.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// Of `rows` rows of `width` cells, all long or all short, the column of the point in column `cell` of the row that is
-// the `rank`-th in the order of rows, by the start 0 <= t < count. It is the whole part of (i count + t) / (rows width)
-// where i = cell rows + rank; no number on the way is much above the count. Columns of long and of short rows together
-// are all columns, once each, if the one start is count - 1 - t for the other's t.
+// For `rows` rows of `width` cells, all long or all short: the column of the point in cell `cell` of the row that has
+// rank `rank` in the order of rows, for the start 0 <= t < count. It is the integer part of (i count + t) /
+// (rows width) with i = cell rows + rank, computed without numbers much above the count. Long and short rows together
+// use every column once if one kind starts at t and the other at count - 1 - t.
 PENUMBRA_INLINE Ints column_in_rows(const Strata& strata, Mask is_long, Ints cell, Ints rank, Ints rows, Ints width,
                                     Ints t) {
-  // count = all rows * width + excess, where the excess is negative for long rows: minus the number of short ones.
+  // count = all rows * width + excess; for long rows the excess is negative: minus the number of short ones.
   const Ints short_rows(strata.rows - strata.long_rows), long_rows(strata.long_rows);
   const Ints excess = select(is_long, Ints(0) - short_rows, long_rows);
   // rank * all rows / rows

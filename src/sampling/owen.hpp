@@ -5,7 +5,7 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// A permutation of words in which every bit depends on the bits below it only: nested uniform scrambling of the
+// A permutation of words in which every bit depends only on the bits below it: nested uniform scrambling of the
 // bit-reversed word (Laine and Karras 2011 with the constants of Vegdahl 2021). The seed may be one word for all lanes.
 template <typename Word>
 PENUMBRA_INLINE Ints scramble_upward(Ints x, Word seed) {
@@ -17,9 +17,8 @@ PENUMBRA_INLINE Ints scramble_upward(Ints x, Word seed) {
   return x;
 }
 
-// An order of the indices in which every bit depends on the bits above it: aligned blocks of 2^k indices stay together,
-// so that they stay nets. Without it the first bits of all padded dimensions would be one and the same bit of the
-// index.
+// A permutation of the indices in which every bit depends only on the bits above it: aligned blocks of 2^k indices stay
+// together and so remain nets. Without it, the first bit of every padded dimension would be the same bit of the index.
 template <typename Word>
 PENUMBRA_INLINE Ints shuffle(Ints index, Word seed) {
   return reverse_bits(scramble_upward(reverse_bits(index), seed));

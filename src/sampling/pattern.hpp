@@ -1,5 +1,5 @@
-// Which sample patterns there are, and what a pattern needs to know: sample points are a pure function of
-// (pixel, index, count, dimension, seed), never a state.
+// The sample patterns, and what is needed to choose one. Sample points are a pure function of (pixel, index, count,
+// dimension, seed), without state.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 namespace penumbra {
 
 enum class Pattern : std::uint8_t {
-  regular,        // a fixed grid, the same in every pixel: what the others are better than
+  regular,        // a fixed grid, the same in every pixel: the baseline for the others
   random,         // independent points
   jittered,       // one point in each of `count` cells of equal area
-  multijittered,  // the same, and one point in each of `count` columns and rows
+  multijittered,  // also one point in each of `count` columns and rows
   poisson,        // no two points near each other, no large gap
   halton,         // van der Corput's sequences in prime bases, scrambled
   sobol,          // Sobol's sequence, Owen-scrambled
@@ -23,16 +23,16 @@ inline constexpr std::string_view pattern_names[] = {"regular", "random", "jitte
                                                      "poisson", "halton", "sobol",    "bluenoise"};
 inline constexpr Pattern default_pattern = Pattern::sobol;
 
-// Whether the points depend on how many there will be. The others are sequences: good at every length.
+// Whether the points depend on their total number. The other patterns are sequences, good at every length.
 constexpr bool needs_count(Pattern pattern) {
   return pattern == Pattern::regular || pattern == Pattern::jittered || pattern == Pattern::multijittered ||
          pattern == Pattern::poisson;
 }
 
-// The pattern of that name, or nothing.
+// The pattern of this name, if there is one.
 std::optional<Pattern> pattern_from_name(std::string_view name);
 
-// The dimensions of an eye ray, which some patterns handle jointly. All later dimensions have hashes for names.
+// The dimensions of an eye ray, which some patterns handle jointly. All later dimensions are named by hashes.
 enum JointDimension : std::uint32_t {
   pixel_x,
   pixel_y,

@@ -1,7 +1,7 @@
-// Random permutations as functions: where an index goes, without the list. Lengths up to 16 are sorted by random
-// numbers, which makes all orders equally likely. Longer ones pass through a keyed bijection of k-bit words, 2^k the
-// next power of two, again and again until they are below the length ("cycle walking", after Kensler, "Correlated
-// multi-jittered sampling", 2013; the mixing is our own).
+// Random permutations as functions: where an index goes, without storing the list. Up to length 16, the indices are
+// sorted by random numbers, which makes all orders equally likely. For longer lists, the index passes through a keyed
+// bijection of k-bit words, 2^k being the next power of two, again and again until it is below the length ("cycle
+// walking", after Kensler, "Correlated multi-jittered sampling", 2013; the mixing is our own).
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ namespace penumbra::PENUMBRA_KERNEL {
 inline constexpr std::uint32_t largest_permutation = 1u << 26;
 inline constexpr std::uint32_t largest_sorted_permutation = 16;
 
-// The place of the index among `length` indices sorted by a hash of each.
+// The rank of the index among `length` indices sorted by their hashes.
 PENUMBRA_INLINE Ints permute_by_sorting(Ints index, std::uint32_t length, Ints key) {
   const Ints start = mix_bits(key + Ints(0x5bd1e995u));
   const Ints own = mix_bits(start + index * Ints(0x9e3779b9u));
@@ -28,7 +28,7 @@ PENUMBRA_INLINE Ints permute_by_sorting(Ints index, std::uint32_t length, Ints k
 
 inline constexpr int word_rounds = 8;
 
-// A bijection of the words of `bits` bits (5 to 26).
+// A bijection of words of `bits` bits (5 to 26).
 PENUMBRA_INLINE Ints permute_words(Ints word, int bits, Ints key) {
   const Ints mask((1u << bits) - 1);
   const int half = (bits - 1) / 2;
@@ -40,8 +40,8 @@ PENUMBRA_INLINE Ints permute_words(Ints word, int bits, Ints key) {
   return (word + key) & mask;
 }
 
-// Where the index (below `length`) goes in the permutation of 0 .. length-1 that the key names. The length is at most
-// largest_permutation. An index out of range, as in a lane that does not count, gives anything.
+// Where the index (below `length`) goes in the permutation of 0..length-1 that the key names; length is at most
+// largest_permutation. An index out of range, as in an inactive lane, gives an arbitrary result.
 PENUMBRA_INLINE Ints permute(Ints index, std::uint32_t length, Ints key) {
   if (length <= largest_sorted_permutation) return permute_by_sorting(index, length, key);
   const int bits = 32 - std::countl_zero(length - 1);

@@ -1,5 +1,5 @@
-// `poisson`: the points of a Poisson disk table (Cook 1986), moved, turned and mirrored as a whole and put in a random
-// order for each pixel and dimension. The square's edges meet, so nothing of this changes a distance.
+// `poisson`: the points of a Poisson disk table (Cook 1986), shifted, mirrored and transposed as a whole and put in a
+// random order for each pixel and dimension. The square wraps around, so none of this changes a distance.
 #pragma once
 
 #include "sampling/permutation.hpp"
@@ -8,8 +8,8 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// x / b for x below 2^26, to the whole number; below 2^24 a quotient of floats is exact enough, above one too many or
-// too few is put right.
+// The integer part of x / b for x < 2^26. Below 2^24 the quotient of floats is exact enough; above, it can be off by
+// one in either direction, which is corrected.
 PENUMBRA_INLINE Ints divide_large(Ints x, std::uint32_t b) {
   const Ints quotient = truncate(to_floats(x) / Floats(static_cast<float>(b)));
   const Ints rest = x - quotient * Ints(b);
@@ -36,7 +36,7 @@ inline Pair poisson_pair(const PoissonTable& table, Ints key, Ints index) {
     u = (to_floats(tile - row * Ints(table.tiles)) + u) / tiles;
     v = (to_floats(row) + v) / tiles;
   }
-  // On the grid of 2^-24 moving and mirroring is exact.
+  // On the grid of 2^-24, shifting and mirroring are exact.
   const Floats steps(16777216.0f);
   Ints x = truncate(u * steps), y = truncate(v * steps);
   x = select((symmetry & Ints(1)) == Ints(0), x, Ints(0) - x);
@@ -46,8 +46,8 @@ inline Pair poisson_pair(const PoissonTable& table, Ints key, Ints index) {
   return {to_fraction(first << 8), to_fraction(second << 8)};
 }
 
-// On a circle: a stratum each, in random order, off its middle by up to a sixth of it; all turned by the same angle. No
-// two points are nearer than 2/3 of a stratum and no gap is wider than twice that.
+// On a circle: one point in each stratum, in random order, at most a sixth of a stratum from its middle, all rotated by
+// the same angle. No two points are nearer than 2/3 of a stratum, and no gap is wider than 4/3.
 inline Floats poisson_single(std::uint32_t count, Ints key, Ints index) {
   const Ints turn = mix_bits(key ^ Ints(0x510e527fu));
   const Ints stratum = permute(index, count, mix_bits(key ^ Ints(0x9b05688cu)));

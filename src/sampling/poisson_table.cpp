@@ -1,7 +1,7 @@
-// Darts are thrown at a distance somewhat too large for the count (each kept if it is no nearer than that to those
-// before), then the places farthest from all points are taken one after another. Each of these is no farther than the
-// one before, so the last one's distance is the least of all, and no place is farther than it: the set is maximal.
-// The farthest place is a corner of a Voronoi cell; the cells are kept as polygons and cut at every new point.
+// Darts are thrown with a distance somewhat too large for the count: each is kept unless it is nearer than that to an
+// earlier one. Then the place farthest from all points is added, again and again. Each such place is no farther than
+// the one before, so the distance of the last is the least of all, and no place is farther than it: the set is maximal.
+// The farthest place is a corner of a Voronoi cell; the cells are kept as polygons and cut by every new point.
 #include "sampling/poisson_table.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace penumbra {
 namespace {
 
-// A coordinate is a whole multiple of 2^-24 and so are differences: squares and their sums are exact.
+// Coordinates and their differences are multiples of 2^-24: their squares and sums of squares are exact.
 constexpr double steps = 16777216;
 
 struct Place {
@@ -27,17 +27,17 @@ double wrap(double x) {
   return rounded - std::floor(rounded);
 }
 
-// The short way around from one coordinate to another that is x farther, -1 < x < 1.
+// The shortest signed distance on the circle between two coordinates that differ by x, -1 < x < 1.
 double turn(double x) { return x - (static_cast<int>(x + 1.5) - 1); }
 Place way(Place a, Place b) { return {turn(b.x - a.x), turn(b.y - a.y)}; }
 
-// All places nearer to a point than to others, as a convex polygon around it.
+// A Voronoi cell: all places nearer to a point than to any other, as a convex polygon around it.
 class Cell {
  public:
   // The cell of a single point on the torus, whose neighbours are its own images.
   Cell() : corners_{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}} { measure(); }
 
-  // Takes away what is nearer to the point at `offset`.
+  // Removes the places nearer to the point at `offset`.
   void cut(Place offset) {
     const double half = 0.5 * norm2(offset);
     const auto outside = [&](Place p) { return p.x * offset.x + p.y * offset.y - half; };
@@ -85,7 +85,7 @@ class Cells {
     Cell own;
     ways_.clear();
     for (const Place p : points_) ways_.push_back(way(point, p));
-    // The near ones first, so that most of the others are soon out of reach.
+    // Near points first, so that most of the others are soon out of reach.
     const double near2 = 4 / static_cast<double>(points_.size() + 1);
     for (const Place to : ways_) {
       if (norm2(to) < near2) cut(own, to);
@@ -114,17 +114,17 @@ class Cells {
   std::size_t size() const { return points_.size(); }
   const std::vector<Place>& points() const { return points_; }
   double least2() const { return least2_; }  // the squared distance of the nearest two; 1 for a point and its image
-  double greatest2() const { return radius2_[farthest()]; }  // from any place to the nearest point
+  double greatest2() const { return radius2_[farthest()]; }  // the greatest from a place to its nearest point
 
  private:
-  static constexpr double large2 = 0.0625;  // a smaller cell is cut by points less than half around the torus away
+  static constexpr double large2 = 0.0625;  // a smaller cell is cut only by points less than half the torus away
 
   std::size_t farthest() const {
     return static_cast<std::size_t>(std::max_element(radius2_.begin(), radius2_.end()) - radius2_.begin());
   }
 
-  // Cuts by the point at `offset` and, where the cell is large, by its images. A point twice as far as the farthest
-  // corner cuts nothing.
+  // Cuts by the point at `offset` and, where the cell is large, by its images. A point at least twice as far as the
+  // farthest corner cuts nothing.
   static void cut(Cell& cell, Place offset) {
     if (cell.radius2() < large2) {
       if (norm2(offset) < 4 * cell.radius2()) cell.cut(offset);
@@ -144,7 +144,7 @@ class Cells {
   double least2_ = 1;
 };
 
-// Up to `most` points no two of which are nearer than `distance`, from `throws` darts.
+// Throws `throws` darts and returns up to `most` points, no two of them nearer than `distance`.
 std::vector<Place> throw_darts(double distance, std::size_t most, std::uint32_t throws, std::uint32_t seed) {
   const int side = std::max(1, static_cast<int>(1 / distance));  // buckets at least as wide as the distance
   const int reach = side < 3 ? 0 : 1;
@@ -184,8 +184,8 @@ std::vector<Place> throw_darts(double distance, std::size_t most, std::uint32_t 
   return points;
 }
 
-// Of `size` points. Darts of nearly the final distance leave most to chance; where too many of them find room for the
-// last ones to be maximal, they are thrown again at a larger distance, in the end one only.
+// A tile of `size` points. Darts at nearly the final distance leave most of the set to chance; where so many find room
+// that the last points cannot make the set maximal, they are thrown again at a larger distance, in the end only one.
 Cells make_tile(std::uint32_t size, std::uint32_t seed) {
   constexpr int attempts = 64;
   double distance = 0.87 / std::sqrt(static_cast<double>(size));
@@ -197,7 +197,7 @@ Cells make_tile(std::uint32_t size, std::uint32_t seed) {
       cells.add(p);
     }
     while (cells.size() < size) cells.add_farthest();
-    // A clear margin, so that roundings of those who use or check the points cannot matter.
+    // A margin, so that rounding in code that uses or checks the points cannot matter.
     if (last || cells.greatest2() < cells.least2() * 0.9999) return cells;
   }
   return {};

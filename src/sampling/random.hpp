@@ -1,4 +1,4 @@
-// `random`: independent points, the lecture's noise without any order. A hash of all that names the number.
+// `random`: independent points, the lecture's noise without any order. Each number is a hash of all that names it.
 #pragma once
 
 #include "sampling/fraction.hpp"

@@ -1,6 +1,6 @@
-// `regular`: the centres of equal cells, the same in every pixel and for every seed. It aliases, and it shows what the
-// lecture means by "too distinct". The pixel's own grid is in order; in every other dimension the cells are taken in a
-// fixed order of its own, or all effects of a ray would move together.
+// `regular`: the centres of equal cells, the same in every pixel and for every seed. It aliases, and shows what the
+// lecture means by "too distinct". The grid in the pixel is in scan order; every other dimension takes its cells in its
+// own fixed shuffled order, because otherwise all effects of a ray would be correlated.
 #pragma once
 
 #include "sampling/permutation.hpp"

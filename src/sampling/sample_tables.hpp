@@ -1,4 +1,4 @@
-// What patterns look up instead of computing, made once for a picture.
+// Tables that patterns look up instead of computing, made once for a picture.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@ namespace penumbra {
 
 struct SampleTables {
   SobolTable sobol;
-  std::vector<PoissonTable> poisson;  // one for each count that is asked for
+  std::vector<PoissonTable> poisson;  // one for each count in use
 };
 
-// The pattern of a picture and what belongs to it.
+// The pattern of a picture and its parameters.
 struct PatternChoice {
   Pattern pattern;
-  std::uint32_t count;  // samples of a pixel
+  std::uint32_t count;  // samples per pixel
   std::uint32_t seed;
   const SampleTables* tables;
 };
 
-// The tables that `pattern` needs for sets of these many points, the first being the rays of a pixel.
+// The tables that `pattern` needs for point sets of these sizes; the first is the number of rays per pixel.
 SampleTables make_sample_tables(Pattern pattern, std::initializer_list<std::uint32_t> counts, std::uint32_t seed);
 
 }  // namespace penumbra

@@ -1,5 +1,5 @@
-// The sample points of one packet: for each lane a pure function of (pixel, index, count, dimension, seed), by the
-// pattern of the picture. The patterns are in files of their own.
+// The sample points of one packet: for each lane a pure function of (pixel, index, count, dimension, seed), given by
+// the pattern of the picture. Each pattern has its own file.
 #pragma once
 
 #include "sampling/bluenoise.hpp"
@@ -14,13 +14,13 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// What stays the same for all samples of the pixels of a packet.
+// What all samples of a packet's pixels share.
 struct PixelSampler {
   Ints column, row;
-  Ints key;                               // one hash for each pixel, the seed mixed in
+  Ints key;                               // a hash of each pixel and the seed
   std::uint32_t scalar_key = 0;           // the same, where all lanes belong to one pixel
   bool one_pixel = false;                 // whether they do
-  Ints joint_key[joint_dimension_count];  // then, for several packets, what sobol_joint() shifts the points by
+  Ints joint_key[joint_dimension_count];  // if they do: the shifts of sobol_joint(), for several packets
 
   // `Word` is std::uint32_t where all lanes belong to one pixel, else Ints.
   template <typename Word>
@@ -38,7 +38,7 @@ struct PixelSampler {
 
 class Sampler {
  public:
-  // `samples_per_pixel` lanes belong to one pixel: their indices start at `first`, a multiple of it. From `count` on,
+  // Each pixel has `samples_per_pixel` lanes, whose indices start at `first`, a multiple of it. From index `count` on,
   // patterns that need the count begin another pass of `count` points.
   PENUMBRA_INLINE Sampler(const PatternChoice& choice, const PixelSampler& pixel, std::uint32_t first,
                           int samples_per_pixel)
@@ -92,8 +92,8 @@ class Sampler {
     return other_single(hash(key_, Ints(dimension)), dimension);
   }
 
-  // Two later dimensions of the fixed regular pattern, whatever the pattern of the picture: by the sample of the pixel,
-  // or, where a hit sends several rays, by the ray.
+  // Two later dimensions of the fixed regular pattern, whatever the pattern of the picture, indexed by the sample of
+  // the pixel or, where a hit sends several rays, by the ray.
   Pair regular(std::uint32_t dimension) const {
     const Ints count(choice_->count);
     return regular_pair(sample_ - divide(sample_, count) * count, choice_->count, dimension ^ branch_);
@@ -102,7 +102,7 @@ class Sampler {
     return regular_pair(Ints(k), rays, dimension);
   }
 
-  // For the directions of ray k of the `rays` that each sample's hit sends: stratified among themselves.
+  // For the direction of ray k of the `rays` that each sample's hit sends: they are stratified among themselves.
   Sampler among(std::uint32_t k, std::uint32_t rays) const {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
@@ -113,7 +113,7 @@ class Sampler {
     return sampler;
   }
 
-  // For all that becomes of ray k of `rays` later on.
+  // For everything that later happens to ray k of `rays`.
   Sampler descending(std::uint32_t k, std::uint32_t rays) const {
     if (!needs_count(choice_->pattern)) return continued(k, rays);
     Sampler sampler = *this;
@@ -140,7 +140,7 @@ class Sampler {
     return to_fraction(points_of_lanes(points) ^ shift);
   }
 
-  // Of a table's points, those of the lanes' samples.
+  // The table's points for the lanes' samples.
   PENUMBRA_INLINE Ints points_of_lanes(const std::uint32_t* points) const {
     const std::uint32_t* const first = points + (first_index_ & (largest_sobol_table - 1));
     if (samples_per_pixel_ == lane_count) return load(first);
@@ -154,15 +154,15 @@ class Sampler {
     return other_joint_pair(first, second);
   }
 
-  // A sequence goes on where the next sample would be, had the pixel `rays` times as many. (From 2^32 points on they
-  // come again.)
+  // A sequence continues as if the pixel had `rays` times as many samples: sample i, ray k uses point i * rays + k.
+  // (After 2^32 points they repeat.)
   Sampler continued(std::uint32_t k, std::uint32_t rays) const {
     Sampler sampler = *this;
     sampler.index_ = index_ * Ints(rays) + Ints(k);
     return sampler;
   }
 
-  // All patterns but the default one; left calls, because they are large and the pattern seldom changes.
+  // All patterns but the default; not inlined, because they are large and the pattern seldom changes.
   __attribute__((noinline)) Pair other_joint_pair(JointDimension first, JointDimension second) const {
     const Ints key = hash(key_, Ints(first)), other_key = hash(key_, Ints(second));
     if (choice_->pattern == Pattern::halton && first == pixel_x) return halton_pixel(key, other_key, index_);
@@ -231,11 +231,11 @@ class Sampler {
   Ints key_;                  // of the pixel, and of the block of samples
   std::uint32_t scalar_key_;  // the same, where `one_pixel_`: all lanes belong to one pixel
   bool one_pixel_;
-  Ints sample_;                // its number in its pixel
-  Ints index_;                 // of the point wanted
-  std::uint32_t count_;        // of the points
+  Ints sample_;                // the sample's number in its pixel
+  Ints index_;                 // of the point to draw
+  std::uint32_t count_;        // points in the set
   std::uint32_t first_index_;  // of lane 0
-  std::uint32_t branch_ = 0;   // of several rays of one hit: a name that `regular` can tell apart
+  std::uint32_t branch_ = 0;   // names one of the rays of a hit, for `regular`
   int samples_per_pixel_;      // lane k has index first_index_ + k % samples_per_pixel_
 };
 

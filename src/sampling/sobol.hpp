@@ -1,7 +1,7 @@
 // `sobol`: the dimensions of an eye ray (pixel, lens, first light, time) are coordinates of one Owen-scrambled Sobol
-// sequence, shifted for each pixel by a hash. Later dimensions are padded: the first two Sobol dimensions again, their
-// indices shuffled and their values scrambled anew for each (pixel, dimension), after Burley, "Practical hash-based
-// Owen scrambling" (2020).
+// sequence, shifted for each pixel by a hash. Later dimensions are padded: they use the first two Sobol dimensions
+// again, with indices shuffled and values scrambled separately for each (pixel, dimension), after Burley, "Practical
+// hash-based Owen scrambling" (2020).
 #pragma once
 
 #include "sampling/owen.hpp"
@@ -9,7 +9,7 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// The second Sobol dimension of an index, bit-reversed on both sides: Pascal's triangle modulo 2 as five butterflies.
+// The second Sobol dimension of an index, bit-reversed: Pascal's triangle modulo 2 as five butterflies.
 PENUMBRA_INLINE Ints second_sobol_dimension(Ints x) {
   x ^= (x & Ints(0xaaaaaaaau)) >> 1;
   x ^= (x & Ints(0xccccccccu)) >> 2;
@@ -19,7 +19,7 @@ PENUMBRA_INLINE Ints second_sobol_dimension(Ints x) {
   return x;
 }
 
-// Two later dimensions, together a (0,2)-sequence. The keys may be one for all lanes.
+// Two later dimensions, together a (0,2)-sequence. Each key may be one word for all lanes.
 template <typename Word>
 PENUMBRA_INLINE Pair sobol_pair(Word key, Word other_key, Ints index) {
   const Ints shuffled = shuffle(index, key);

@@ -1,8 +1,8 @@
-// Sobol's sequence (Sobol 1967), scrambled after Owen (1995): each bit of a coordinate is flipped by a hash of the bits
-// before it. Which polynomial serves which dimension of an eye ray, and its initial numbers, were searched for
-// (bench/direction_numbers.cpp): edges run through the pixel and the lens, the pixel and the light, the pixel and time,
-// and the points of these dimensions together are to be spread evenly. Against the usual order and the numbers of Joe
-// and Kuo (2008), 64 to 256 rays a pixel leave an error of 0.9 in soft shadows and of 0.8 in motion blur.
+// Sobol's sequence (Sobol 1967), scrambled after Owen (1995): each bit of a coordinate is flipped or not according to a
+// hash of the bits before it. The polynomial and the initial numbers of each dimension of an eye ray were found by
+// search (bench/direction_numbers.cpp): edges run through the pixel and the lens, the pixel and the light, the pixel
+// and time, so the points must be spread evenly over these together. With 64 to 256 rays per pixel, the error is 0.9 of
+// that of the usual order with the numbers of Joe and Kuo (2008) in soft shadows, 0.8 in motion blur.
 #include "sampling/sobol_table.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace penumbra {
 namespace {
 
-// Degree, coefficients and initial numbers of the primitive polynomials. The first dimension, pixel_x, has none.
+// Degree, coefficients and initial numbers of the primitive polynomials. The first dimension, pixel_x, needs none.
 struct Polynomial {
   int degree;
   std::uint32_t coefficients;
@@ -49,13 +49,13 @@ Directions direction_numbers(std::uint32_t dimension) {
   return v;
 }
 
-// Owen's nested uniform scrambling: every bit is flipped or not by the bits before it. One hash of the bits so far
-// decides the next four: the choices are a tree of fifteen. No two of the first 2^16 points share their first sixteen
-// bits, so the rest is simply random.
+// Owen's nested uniform scrambling: the bits before a bit decide whether it is flipped. One hash of the bits so far
+// decides on the next four: their choices form a tree of fifteen. No two of the first 2^16 points share their first
+// sixteen bits, so the rest is simply random.
 class OwenScrambling {
  public:
-  // For so many points of a sequence in base 2, which have all the digits there are to begin with: these are scrambled
-  // once for all points.
+  // For the first `points` points of a sequence in base 2. Together they have all possible leading digits, which are
+  // therefore scrambled once for all points.
   OwenScrambling(std::uint32_t points, std::uint32_t seed) : seed_(seed), beginnings_{0} {
     while ((std::uint64_t{1} << (known_bits_ + digit_bits)) <= points && known_bits_ < shared_bits) {
       std::vector<std::uint32_t> longer;
@@ -84,7 +84,7 @@ class OwenScrambling {
  private:
   static constexpr int shared_bits = 16, digit_bits = 4;
 
-  // With a marker of how many bits the prefix has.
+  // The hash includes a marker of how many bits the prefix has.
   std::uint32_t choices_after(std::uint32_t prefix, int bits) const { return hash(seed_, prefix | (1u << bits)); }
 
   static std::uint32_t scrambled(std::uint32_t digit, std::uint32_t choices) {
@@ -99,7 +99,7 @@ class OwenScrambling {
 
   std::uint32_t seed_;
   int known_bits_ = 0;
-  std::vector<std::uint32_t> beginnings_;  // scrambled, of all the prefixes of `known_bits_`
+  std::vector<std::uint32_t> beginnings_;  // all prefixes of `known_bits_` bits, scrambled
 };
 
 }  // namespace

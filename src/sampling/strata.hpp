@@ -1,5 +1,5 @@
-// The unit square in `count` cells of equal area, for any count: about sqrt(count) rows; `count % rows` of them, the
-// first, hold one cell more than the others and are higher by as much.
+// Divides the unit square into `count` cells of equal area, for any count: about sqrt(count) rows, the first
+// `count % rows` of which hold one cell more than the others and are proportionally higher.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace penumbra::PENUMBRA_KERNEL {
 
 struct Strata {
-  std::uint32_t count, rows, columns;  // columns: cells of a short row
+  std::uint32_t count, rows, columns;  // columns: cells in a short row
   std::uint32_t long_rows;             // rows with one cell more
 
   PENUMBRA_INLINE explicit Strata(std::uint32_t cells) : count(cells) {
     rows = static_cast<std::uint32_t>(__builtin_sqrt(static_cast<double>(count)));
-    if (rows * rows + rows < count) rows++;  // to the nearest
+    if (rows * rows + rows < count) rows++;  // rounds to the nearest
     columns = count / rows;
     long_rows = count % rows;
   }
@@ -22,8 +22,8 @@ struct Strata {
 
 struct Stratum {
   Ints row, column;
-  Ints columns;  // cells of its row
-  Ints start;    // cells of the rows before it
+  Ints columns;  // cells in its row
+  Ints start;    // cells in the rows before it
   Mask in_long_row;
 };
 
@@ -40,14 +40,14 @@ PENUMBRA_INLINE Stratum stratum_at(const Strata& strata, Ints number) {
   return stratum;
 }
 
-// The place (u, v) of [0, 1) x [0, 1) in the stratum.
+// Maps a place (u, v) of [0, 1) x [0, 1) into the stratum.
 PENUMBRA_INLINE Pair place_in(const Strata& strata, const Stratum& stratum, Pair place) {
   const Floats columns = to_floats(stratum.columns);
   return {below_one((to_floats(stratum.column) + place.u) / columns),
           below_one((to_floats(stratum.start) + place.v * columns) / Floats(static_cast<float>(strata.count)))};
 }
 
-// A place in stratum `number` of `count` on the line.
+// Maps a place of [0, 1) into stratum `number` of `count` on the line.
 PENUMBRA_INLINE Floats place_on_line(std::uint32_t count, Ints number, Floats place) {
   return below_one((to_floats(number) + place) / Floats(static_cast<float>(count)));
 }

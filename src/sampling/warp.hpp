@@ -1,4 +1,4 @@
-// From the unit square to the shapes that rays are spread over, each of uniform density.
+// Maps the unit square to the shapes over which rays are spread, each with uniform density.
 #pragma once
 
 #include "sampling/fraction.hpp"

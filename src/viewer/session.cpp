@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/atomic_file.hpp"
+#include "picture/development.hpp"
 #include "picture/scene_lines.hpp"
 #include "viewer/focus.hpp"
 #include "viewer/save_picture.hpp"

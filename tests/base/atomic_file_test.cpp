@@ -1,5 +1,4 @@
-// Atomic writing: what is there afterwards, after success, after every kind of failure, and after a run that was
-// killed.
+// Atomic writing: what is there after success, after every kind of failure, and after a run that was killed.
 #include "base/atomic_file.hpp"
 
 #include <fcntl.h>
@@ -28,7 +27,7 @@ std::span<const std::byte> bytes_of(const std::string& text) { return std::as_by
 
 void write(const fs::path& path, const std::string& text) { write_file_atomically(path, bytes_of(text)); }
 
-// The error that writing gives; exit code 0 when there is none.
+// The error of a write; exit code 0 if there is none.
 FileError error_of_writing(const fs::path& path, const std::string& text) {
   try {
     write(path, text);
@@ -50,7 +49,7 @@ std::string host() {
   return std::string(name).substr(0, 64);
 }
 
-// A process id that no process has any more.
+// A process id that is no longer in use.
 pid_t dead_pid() {
   const pid_t pid = ::fork();
   if (pid == 0) ::_exit(0);
@@ -58,8 +57,8 @@ pid_t dead_pid() {
   return pid;
 }
 
-// Files larger than `bytes` cannot be written while this lives: a full disk for everyone's tests. Without the signal's
-// handler the process would be killed instead.
+// While this lives, files larger than `bytes` cannot be written, as on a full disk. The signal must be ignored, because
+// it would kill the process.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -77,7 +76,7 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-// Root may do everything; as nobody, permissions count again.
+// Root may do everything; as nobody, the process is subject to permissions.
 class AsNobody {
  public:
   AsNobody() : was_root_(::geteuid() == 0) {
@@ -204,7 +203,7 @@ TEST(AtomicFile, AWriteProtectedFileIsNotReplaced) {
   ::chmod(folder.path().c_str(), 0777);
   put_content(folder / "out", "old");
   ::chmod((folder / "out").c_str(), 0444);
-  // access() asks for the real user, so only a process that is nobody altogether will do.
+  // access() checks the real user, so only a process that is entirely nobody will do.
   int status = 0;
   const pid_t child = ::fork();
   if (child == 0) {
@@ -304,7 +303,7 @@ TEST(AtomicFile, AKilledRunLeavesTheOldFile) {
   put_content(folder / "out", "old");
   const pid_t child = ::fork();
   if (child == 0) {
-    // The signal for too large a file kills in the middle of the write.
+    // The signal for an oversized file kills in the middle of the write.
     const rlimit limit{4096, 4096}, no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
     ::setrlimit(RLIMIT_FSIZE, &limit);
@@ -352,7 +351,7 @@ TEST(ReadFile, GivesWhatIsThere) {
     ASSERT_EQ(bytes.size(), size);
     EXPECT_TRUE(size == 0 || std::memcmp(bytes.data(), content.data(), size) == 0);
   }
-  EXPECT_FALSE(read_file("/proc/self/status").empty());  // a file that says it has no bytes
+  EXPECT_FALSE(read_file("/proc/self/status").empty());  // a file with a stated size of 0
 }
 
 TEST(ReadFile, TellsWhatIsWrong) {

@@ -1,4 +1,4 @@
-// Options as they come from a command line.
+// Parses options as they come from a command line.
 #pragma once
 
 #include <stdexcept>
@@ -13,8 +13,8 @@ struct WrongUse : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What `penumbra ARGUMENTS` makes of the options of one command, which `make` describes; the first argument names the
-// command. Throws WrongUse with what is said of wrong arguments.
+// The options of the command that `make` describes, as `penumbra ARGUMENTS` sets them; the first argument names the
+// command. Throws WrongUse with the error message for wrong arguments.
 template <class Options>
 Options parse_command(Subcommand (*make)(Options&), const std::vector<std::string>& arguments) {
   Options options;

@@ -1,4 +1,4 @@
-// Libraries that are loaded on the way: what is said where one is missing.
+// Libraries that are loaded when needed: what the error says if one is missing.
 #include "base/shared_library.hpp"
 
 #include <gtest/gtest.h>

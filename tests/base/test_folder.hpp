@@ -1,4 +1,4 @@
-// A folder of its own for one test, gone when the test is over; and small functions for files and programs in it.
+// A temporary folder for one test, removed when the test is over; and small functions for files and programs in it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ struct ProgramResult {
   std::string output;  // both standard output and standard error
 };
 
-// Runs a command of the shell.
+// Runs a shell command.
 inline ProgramResult run_program(const std::string& command) {
   ProgramResult result;
   FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");

@@ -1,4 +1,4 @@
-// Large arrays begin as zeros, also where memory was used before, and are vectors in all other ways.
+// Large arrays begin as zeros, even where memory was used before, and are vectors in all other ways.
 #include "base/zeroed_pages.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What collecting makes of parts that are there, missing, damaged or foreign.
+// How `farm collect` treats parts that are present, missing, damaged or foreign.
 #include <gtest/gtest.h>
 
 #include "farm/farm_fixture.hpp"
@@ -42,7 +42,7 @@ TEST_F(FarmCollect, SubmitsWhatIsMissingAFewTimes) {
   put_content(part(3), content_of(part(3)).substr(0, 4000));
   std::filesystem::remove(tools_ / "sbatch.log");
   ASSERT_EQ(collect({"--resubmit", "3"}), 0) << said();
-  EXPECT_FALSE(std::filesystem::exists(part(3)));  // it would pass for done
+  EXPECT_FALSE(std::filesystem::exists(part(3)));  // otherwise it would count as done
   EXPECT_NE(submissions().find("--array=1,3\n"), std::string::npos) << submissions();
   EXPECT_NE(submissions().find("--dependency=afterany:101\n"), std::string::npos) << submissions();
   EXPECT_EQ(collect({"--resubmit", "3"}), 0) << said();
@@ -58,7 +58,7 @@ TEST_F(FarmCollect, SubmitsWhatIsMissingAFewTimes) {
   EXPECT_TRUE(is_picture());
 }
 
-// What Slurm still works on is not submitted again.
+// Tasks that Slurm still works on are not resubmitted.
 TEST_F(FarmCollect, WaitsForWhatRuns) {
   ASSERT_EQ(run_task(0).exit_code, 0);
   const std::string name = job().name;
@@ -99,7 +99,7 @@ TEST_F(FarmCollect, RefusesPartsOfOtherPictures) {
   EXPECT_FALSE(std::filesystem::exists(output_));
 }
 
-// A scene that is not the one that was submitted is not rendered, and nothing is tried again and again.
+// A scene that has changed since it was submitted is not rendered, and nothing is retried.
 TEST_F(FarmCollect, RefusesAChangedScene) {
   const std::string before = content_of(scene_file_);
   put_content(scene_file_, before + "# changed\n");
@@ -117,7 +117,7 @@ TEST_F(FarmCollect, RefusesAChangedScene) {
   EXPECT_EQ(collect({"--render"}), 0) << said();
 }
 
-// What is there is not rendered again.
+// Existing parts are not rendered again.
 TEST_F(FarmCollect, TasksSkipWhatIsDone) {
   EXPECT_NE(run_task(1).output.find("unit 1 begins on "), std::string::npos);
   const ProgramResult again = run_task(1);
@@ -125,7 +125,7 @@ TEST_F(FarmCollect, TasksSkipWhatIsDone) {
   EXPECT_EQ(again.output, "");
 }
 
-// In an array of Slurm, a task that has to end asks for another turn; elsewhere it only says so.
+// In a Slurm array, a task that has to end asks to be requeued; elsewhere it only reports it.
 TEST_F(FarmTest, ExitCode75IsAnotherTurn) {
   ASSERT_EQ(submit({"--shards", "2", "--rays", "200000", "--dry-run"}), 0) << said();
   const std::string script = folder().shard_script().string();

@@ -1,5 +1,5 @@
-// A scene in a folder with a difficult name, and programs that are called like Slurm's: `sbatch` notes what it is asked
-// for and gives ids from 101 on, `squeue` prints what the test says, `scontrol` notes what it is asked for.
+// A scene in a folder with a difficult name, and fakes of Slurm's commands: `sbatch` records its arguments and returns
+// ids from 101 on, `squeue` prints what the test sets, `scontrol` records its arguments.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ class FarmTest : public SittingTest {
     return {{"PATH", tools_.string() + ":/usr/bin:/bin"}, {"TOOLS", tools_.string()}};
   }
 
-  // `farm ARGUMENTS...`; what it says is in said() then.
+  // Runs `farm ARGUMENTS...`; its output is then in said().
   int farm(const Words& arguments) const { return run(Words{"farm"} + arguments, environment()); }
   int submit(const Words& arguments = {}) const {
     return farm(Words{"submit", scene_file_, "-o", output_, "--size", "53x37"} + arguments);
@@ -52,7 +52,7 @@ class FarmTest : public SittingTest {
   Job job() const { return folder().read_job(); }
   JobFolder folder() const { return JobFolder(output_ + ".farm"); }
 
-  // Runs a task as a scheduler would that is not Slurm.
+  // Runs a task as a scheduler other than Slurm would.
   ProgramResult run_task(int task, const std::string& before = {}) const {
     return run_program(before + " bash " + quoted(folder().shard_script().string()) + " " + std::to_string(task));
   }
@@ -63,7 +63,7 @@ class FarmTest : public SittingTest {
     }
   }
 
-  // For the shell of the tests; written in another way than the program does it.
+  // Quotes a word for the shell of the tests, by other means than the program does.
   static std::string quoted(const std::string& text) {
     std::string word = "\"";
     for (const char letter : text) {
@@ -79,7 +79,7 @@ class FarmTest : public SittingTest {
     return content_of(file);
   }
 
-  // What sbatch was asked for, a line for each word, and one with -- after each call.
+  // The arguments of sbatch, one per line, and a line -- after each call.
   std::string submissions() const { return content_of(tools_ / "sbatch.log"); }
 
   const std::filesystem::path tools_ = folder_ / "tools";

@@ -1,4 +1,4 @@
-// The text of the scripts, and what becomes of words in them.
+// The text of the scripts, and the quoting of words in them.
 #include "farm/scripts.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ TEST(ShardScript, ReadsWell) {
       "#SBATCH --open-mode=append\n"
       "#SBATCH --requeue\n"
       "#SBATCH --cpus-per-task=1\n"
-      "# Renders the shards of one task: ./shard.sh TASK, or Slurm says which. What is there is not rendered again.\n"
+      "# Renders the shards of one task: ./shard.sh TASK, or Slurm sets TASK. Existing parts are not rendered again.\n"
       "cd /shared/a.exr.farm || exit 73\n"
       "task=${1:-$SLURM_ARRAY_TASK_ID}\n"
       "for ((unit = task; unit < 24; unit += 24)); do\n"
@@ -57,7 +57,7 @@ TEST(ShardScript, ReadsWell) {
       "    --scene-hash 0123 --progress none \\\n"
       "    --rays 64 --no-shadows\n"
       "  code=$?\n"
-      "  # Out of time or interrupted: its checkpoint is written, and it goes on when its turn comes again.\n"
+      "  # Out of time or interrupted: the checkpoint is written, and the render resumes on its next turn.\n"
       "  [ $code -eq 75 ] && [ $# -eq 0 ] && scontrol requeue \"$SLURM_JOB_ID\"\n"
       "  [ $code -eq 0 ] || exit $code\n"
       "done\n");
@@ -83,7 +83,7 @@ TEST(ShardScript, AsksForPartitionAndProcessors) {
   EXPECT_TRUE(contains(merge_script(job, JobFolder("/a")), "#SBATCH --cpus-per-task=1\n"));
 }
 
-// Slurm's arrays have an end: more units than tasks are shared out among them.
+// Slurm's arrays are limited: if there are more units than tasks, the tasks share them.
 TEST(ShardScript, SharesManyUnitsOut) {
   Job job = small_job();
   job.shards = 2500;

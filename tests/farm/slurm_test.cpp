@@ -1,4 +1,4 @@
-// What Slurm prints, and what it is asked for.
+// What Slurm prints, and what it is asked to do.
 #include "farm/slurm.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(ChildProcess, TellsWhatCameOfIt) {
 TEST(ChildProcess, IsNotWaitedForTooLong) {
   const ChildResult result = run_child({"sleep", "600"}, 0.05);
   EXPECT_EQ(result.exit_code, 128 + 9);
-  EXPECT_EQ(result.errors, "it takes too long");
+  EXPECT_EQ(result.errors, "timed out");
 }
 
 }  // namespace

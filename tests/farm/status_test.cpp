@@ -1,4 +1,4 @@
-// How far a job is, by its folder and the queue.
+// The progress of a job, from its folder and the queue.
 #include "farm/status.hpp"
 
 #include <gtest/gtest.h>
@@ -29,14 +29,14 @@ TEST(JobStatus, TellsDoneRunningWaitingAndLost) {
   EXPECT_EQ(status.running, (std::set<int>{1}));
   EXPECT_EQ(status.waiting, (std::set<int>{2}));
   EXPECT_EQ(status.lost, (std::set<int>{3, 4}));
-  EXPECT_DOUBLE_EQ(status.seconds_left.value(), 16);  // 6 s of the one that runs, 10 of the one that waits
+  EXPECT_DOUBLE_EQ(status.seconds_left.value(), 16);  // 6 s for the running unit, 10 s for the waiting one
   const std::string text = to_text(job, status, noon);
   EXPECT_NE(text.find("a-1: 2 of 6 parts are done\n  done          2\n  running       1   1\n"), text.npos) << text;
-  EXPECT_NE(text.find("  lost          2   3-4\n  they wait for: Resources\nestimated end: "), text.npos) << text;
-  EXPECT_NE(text.find(" (in 16 s), if as many go on running\n"), text.npos) << text;
+  EXPECT_NE(text.find("  lost          2   3-4\n  waiting for: Resources\nestimated end: "), text.npos) << text;
+  EXPECT_NE(text.find(" (in 16 s), if as many keep running\n"), text.npos) << text;
 }
 
-// A part that is there is done, whatever the queue still says of its task.
+// An existing part is done, whatever the queue still says of its task.
 TEST(JobStatus, WhatIsThereCounts) {
   Queue queue;
   queue.tasks[0] = {true, "COMPLETING", "None", 4};
@@ -45,7 +45,7 @@ TEST(JobStatus, WhatIsThereCounts) {
   EXPECT_TRUE(status.running.empty());
 }
 
-// A task with many units works on the first that is not there.
+// A task with many units works on the first one without a part.
 TEST(JobStatus, OneUnitOfATaskRuns) {
   const Job job = job_of(2500);
   std::vector<bool> done(2500, true);
@@ -63,7 +63,7 @@ TEST(JobStatus, WithoutSlurmItTellsWhatItSees) {
   const JobStatus status = status_of(job, {}, {true, false, false}, {}, "`squeue`: gone", 10.0);
   EXPECT_EQ(status.unknown, (std::set<int>{1, 2}));
   EXPECT_TRUE(status.lost.empty());
-  EXPECT_NE(to_text(job, status, noon).find("Slurm does not answer, so what runs is not known (`squeue`: gone)"),
+  EXPECT_NE(to_text(job, status, noon).find("Slurm does not answer, so it is not known what runs (`squeue`: gone)"),
             std::string::npos);
 }
 
@@ -75,7 +75,7 @@ TEST(JobStatus, TellsWhatToDoWhereNothingGoesOn) {
   state.finished = {0};
   state.resubmissions = 2;
   const std::string merged = to_text(job, status_of(job, state, {true, true}, Queue{}, "", {}), noon);
-  EXPECT_NE(merged.find("submitted again: 2 times\nfinished: /a0.exr\n"), merged.npos) << merged;
+  EXPECT_NE(merged.find("resubmissions: 2\nfinished: /a0.exr\n"), merged.npos) << merged;
 }
 
 class FarmStatus : public FarmTest {};
@@ -100,7 +100,7 @@ TEST_F(FarmStatus, ReadsFolderAndQueue) {
   EXPECT_EQ(silent.at("unknown"), (std::vector<int>{1, 2, 3}));
 }
 
-// A part whose end is missing is not done.
+// A truncated part is not done.
 TEST_F(FarmStatus, NoticesATornPart) {
   ASSERT_EQ(submit({"--shards", "2"}), 0) << said();
   ASSERT_EQ(run_task(0).exit_code, 0);

@@ -1,4 +1,4 @@
-// What submitting writes and asks for, and what it refuses.
+// What `farm submit` writes and submits, and what it refuses.
 #include <gtest/gtest.h>
 
 #include "farm/farm_fixture.hpp"
@@ -26,7 +26,7 @@ TEST_F(FarmSubmit, DryRunOnlyWrites) {
   EXPECT_NE(said().find("  sbatch --parsable --array=0-4 "), std::string::npos) << said();
   EXPECT_NE(said().find(" --dependency=afterany:ID "), std::string::npos) << said();
   EXPECT_FALSE(folder().read_state().submitted);
-  EXPECT_EQ(submit({"--shards", "3"}), 0) << said();  // in the place of one that never began
+  EXPECT_EQ(submit({"--shards", "3"}), 0) << said();  // replaces a job that never began
   EXPECT_EQ(job().shards, 3);
 }
 
@@ -39,7 +39,7 @@ TEST_F(FarmSubmit, RefusesAFolderThatIsTaken) {
   EXPECT_EQ(submit({"--shards", "2", "--folder", (work_ / "second").string()}), 0) << said();
 }
 
-// Each option reaches the shards as it was given: the parts are those of the same render by hand.
+// Each option reaches the shards as given: the result is that of the same render by hand.
 TEST_F(FarmSubmit, OptionsReachTheShards) {
   const Words options = {
       "--rays",    "3",         "--aov",           "depth,normal", "--no-shadows", "--sampler", "halton",
@@ -58,7 +58,7 @@ TEST_F(FarmSubmit, ThreadsAreProcessorsOfATask) {
   EXPECT_NE(script.find(" --threads 3\n"), script.npos);
 }
 
-// Four for each task that the partition runs at once, and no more than there is work for.
+// Four shards for each task that the partition runs at once, but no more than there is work for.
 TEST_F(FarmSubmit, AutomaticShards) {
   const Words large = {"submit", scene_file_, "--dry-run", "--size", "640x480", "-o", output_};
   ASSERT_EQ(farm(large), 0) << said();
@@ -86,7 +86,7 @@ TEST_F(FarmSubmit, SeveralPicturesOfOneScene) {
   }
 }
 
-// Every frame is its own picture; its parts are named by it, and one of another frame is no part of it.
+// Every frame is its own picture; its parts are named after it, and a part of another frame is refused.
 TEST_F(FarmSubmit, Animations) {
   put_content(scene_file_, scene_text(2) + "background {t} 0 {frame / 10}\n");
   const Words frames = {"--frames", "3-9x3"};
@@ -102,7 +102,7 @@ TEST_F(FarmSubmit, Animations) {
   std::filesystem::copy_file(part(0), part(2), std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(collect(), 65);
   EXPECT_NE(said().find("it is another part than its name says"), std::string::npos) << said();
-  EXPECT_TRUE(std::filesystem::exists(work_ / "the 'picture'.0003.exr"));  // what is whole is written
+  EXPECT_TRUE(std::filesystem::exists(work_ / "the 'picture'.0003.exr"));  // complete frames are written
   EXPECT_FALSE(std::filesystem::exists(work_ / "the 'picture'.0006.exr"));
   put_content(part(2), kept);
   ASSERT_EQ(collect(), 0) << said();

@@ -1,4 +1,4 @@
-// The cells are equal, cover the square, and are counted right.
+// The cells are equal, cover the square, and are counted correctly.
 #include "sampling/figures/cells.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Areas below an edge against integrals line by line; the slopes that theory gives for random and jittered points.
+// Areas below an edge against line-by-line integrals, and the slopes that theory gives for random and jittered points.
 #include "sampling/figures/convergence.hpp"
 
 #include <gtest/gtest.h>
@@ -38,9 +38,9 @@ TEST(HalfPlanes, AreasAreIntegrals) {
   }
 }
 
-// The variance over R realizations has the relative error sqrt(2/R) or so, the slope through seven of its logarithms
-// 0.27 times that: 0.014 for 512 of them. The limits are seven times as wide; what the few points at the beginning add
-// to the laws for many is less than a third of that.
+// The variance over R realizations has a relative error of about sqrt(2/R), and the slope through seven of its
+// logarithms an error of 0.27 times that: 0.017 for 512 realizations. The limits are six times as wide; the deviation
+// of small point counts from the asymptotic laws is less than a third of them.
 constexpr int replicates = scaled(512, 128);
 constexpr double tolerance = scaled(100, 200) / 1000.0;
 

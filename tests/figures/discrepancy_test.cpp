@@ -1,4 +1,4 @@
-// Star discrepancies against known values and against every box tried in turn.
+// Star discrepancies against known values and against all boxes tried in turn.
 #include "sampling/figures/discrepancy.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace penumbra::test {
 namespace {
 
-// Warnock's formula as it is written.
+// Warnock's formula as written.
 double warnock(const std::vector<PlanePoint>& points) {
   const auto n = static_cast<double>(points.size());
   double single = 0, pairs = 0;
@@ -25,7 +25,7 @@ double warnock(const std::vector<PlanePoint>& points) {
   return std::sqrt(1.0 / 9 - single / (2 * n) + pairs / (n * n));
 }
 
-// All boxes whose upper sides go through points or end at 1, with the points on the sides and without.
+// All boxes whose upper sides pass through points or end at 1, with and without the points on the sides.
 double every_box(const std::vector<PlanePoint>& points) {
   std::vector<double> xs = {1}, ys = {1};
   for (const PlanePoint& p : points) {
@@ -52,12 +52,12 @@ TEST(Discrepancy, OfOnePoint) {
     const std::vector<PlanePoint> points = {{x, y}};
     const double expected = 1.0 / 9 - (1 - x * x) * (1 - y * y) / 2 + (1 - x) * (1 - y);
     EXPECT_NEAR(l2_star_discrepancy(points), std::sqrt(expected), 1e-15);
-    // The box up to the point holds all, the widest and the highest beside it nothing.
+    // The box up to the point holds everything, the widest and the highest box beside it nothing.
     EXPECT_NEAR(star_discrepancy(points), std::max({1 - x * y, x, y}), 1e-15);
   }
 }
 
-// The mean square over boxes, by many boxes.
+// The mean square over boxes, from a million boxes.
 TEST(Discrepancy, IsTheMeanSquareOverBoxes) {
   const std::vector<PlanePoint> points = {{0.1, 0.7}, {0.35, 0.2}, {0.6, 0.95}, {0.62, 0.21}, {0.9, 0.4}};
   constexpr int side = 1000;
@@ -71,7 +71,7 @@ TEST(Discrepancy, IsTheMeanSquareOverBoxes) {
       sum += difference * difference / (double{side} * side);
     }
   }
-  // No coordinate lies on a midpoint: the error is that of smooth pieces, of second order, and no more.
+  // No coordinate lies on a midpoint, so the error is only that of smooth pieces, of second order.
   EXPECT_NEAR(l2_star_discrepancy(points), std::sqrt(sum), 1e-5);
 }
 
@@ -86,7 +86,7 @@ TEST(Discrepancy, OfARegularGrid) {
 TEST(Discrepancy, AgreesWithTheFormulasAsWritten) {
   std::mt19937 random(1);
   for (const int n : {1, 2, 3, 10, 31, 64}) {
-    for (const int levels : {4, 1 << 20}) {  // four levels: many equal coordinates, and points on each other
+    for (const int levels : {4, 1 << 20}) {  // four levels: many equal coordinates, and coincident points
       std::vector<PlanePoint> points = random_points(random, n);
       for (PlanePoint& p : points) p = {std::floor(p.x * levels) / levels, std::floor(p.y * levels) / levels};
       EXPECT_NEAR(l2_star_discrepancy(points), warnock(points), 1e-9) << n << " " << levels;
@@ -95,7 +95,7 @@ TEST(Discrepancy, AgreesWithTheFormulasAsWritten) {
   }
 }
 
-// The square of the L2 discrepancy of random points is 5 / (36 n) in the mean.
+// The square of the L2 discrepancy of random points is 5 / (36 n) on average.
 TEST(Discrepancy, OfRandomPoints) {
   std::mt19937 random(2);
   constexpr int n = 64, rounds = scaled(4000, 500);

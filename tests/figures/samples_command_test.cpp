@@ -1,4 +1,4 @@
-// The subcommand as the user has it: options, table, JSON, plot and exit codes.
+// The subcommand as the user sees it: options, table, JSON, plot and exit codes.
 #include "app/samples/samples_command.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ Dimensions dimensions_at(std::uint32_t first) {
   throw std::logic_error("no such dimensions");
 }
 
-// The figures are those of the points that a render would take.
+// The figures are those of the points that a render would use.
 TEST(SamplesCommand, Json) {
   const std::pair<std::string, std::uint32_t> cases[] = {
       {"pixel", pixel_x}, {"lens", lens_radius}, {"light", first_light_radius}};

@@ -130,7 +130,7 @@ TEST(Spacing, NothingBeatsTheHexagonalLattice) {
       EXPECT_GE(largest_empty_circle(points).radius, smallest_possible_circle(points.size()));
     }
   }
-  // A lattice of 15 x 26 / 2 rows of triangles, nearly equilateral: 26 sqrt(3) / 2 is nearly 45 / 2.
+  // 22 x 26 points in shifted rows, nearly equilateral triangles: 26 sqrt(3) / 2 = 22.5 is nearly 22.
   std::vector<PlanePoint> lattice;
   for (int row = 0; row < 26; row++) {
     for (int i = 0; i < 22; i++) lattice.push_back({(i + row % 2 * 0.5 + 0.1) / 22, (row + 0.1) / 26});

@@ -1,4 +1,4 @@
-// The spectrum against the sum as it is written, a grid's peaks, and white noise.
+// The spectrum against the sum as written, the peaks of a grid, and white noise.
 #include "sampling/figures/spectrum.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(PowerSpectrum, OfARegularGridIsPeaks) {
   }
 }
 
-// The rings hold what rounds to their number, and all of it.
+// Each ring holds all frequencies whose length rounds to its number, and no others.
 TEST(PowerSpectrum, RadialMeans) {
   Spectrum spectrum(20);
   spectrum.add(regular_grid(8));
@@ -69,8 +69,8 @@ TEST(PowerSpectrum, RadialMeans) {
   }
 }
 
-// Random points are white: P is 1 in the mean at every frequency and close to exponential, and different frequencies
-// are not correlated. Only f and -f are the same, so a ring of N frequencies has N degrees of freedom a realization.
+// Random points are white: P has mean 1 at every frequency and is close to exponential, and different frequencies are
+// uncorrelated. Only f and -f are the same, so a ring of N frequencies has N degrees of freedom per realization.
 TEST(PowerSpectrum, OfRandomPointsIsWhite) {
   std::mt19937 random(2);
   constexpr int limit = 32, realizations = scaled(256, 32);

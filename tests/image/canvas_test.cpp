@@ -13,7 +13,7 @@ constexpr Canvas::Color white = {1, 1, 1}, black = {0, 0, 0};
 
 float value(const Image& image, int x, int y) { return image.rgb[3 * static_cast<std::size_t>(y * image.width + x)]; }
 
-// How many pixels' worth of white there is on black.
+// The white area on black, in pixels.
 double area(const Image& image) {
   double sum = 0;
   for (const float v : image.rgb) sum += v;
@@ -25,7 +25,7 @@ TEST(Canvas, ADiskHasItsArea) {
     Canvas canvas(64, 48, black);
     canvas.disk({31.3, 24.6}, radius, white);
     const Image image = canvas.take();
-    // The ramp adds a little more outside than it takes away inside.
+    // The ramp adds a little more outside than it removes inside.
     EXPECT_NEAR(area(image), std::numbers::pi * (radius * radius + 1.0 / 12), 0.1 + 0.01 * radius);
     EXPECT_EQ(value(image, 31, 24), 1);
     EXPECT_EQ(value(image, 1, 1), 0);
@@ -57,7 +57,7 @@ TEST(Canvas, ALineAlongPixelsIsSharp) {
   }
 }
 
-// Half covered pixels of a joint are not painted twice: a curve forth and back is the line.
+// Half-covered pixels of a joint are not painted twice: a curve there and back equals the line.
 TEST(Canvas, JointsArePaintedOnce) {
   Canvas once(30, 20, black), twice(30, 20, black);
   once.curve({{4, 5}, {25, 15}}, 2, white);
@@ -85,7 +85,7 @@ TEST(Canvas, ShapesMayLeaveThePicture) {
   EXPECT_EQ(area(all.take()), 64);
 }
 
-// Every digit is drawn, each another way, inside its box.
+// Every character is drawn, each differently, inside its box.
 TEST(Canvas, DigitsDiffer) {
   std::vector<Image> drawn;
   for (const char character : std::string("0123456789.-")) {

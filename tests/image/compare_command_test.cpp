@@ -1,4 +1,4 @@
-// The subcommand as the user has it: options, table, JSON, heat map and exit codes.
+// The subcommand as the user sees it: options, table, JSON, heat map and exit codes.
 #include "app/compare/compare_command.hpp"
 
 #include <gtest/gtest.h>

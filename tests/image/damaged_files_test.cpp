@@ -1,5 +1,5 @@
-// Damaged pictures: cut off anywhere and changed anywhere, reading gives an error of the right kind or a picture, and
-// never anything worse (run with sanitizers, this is a small fuzz test).
+// Damaged pictures: truncated or changed anywhere, they give an error of the right kind or a picture, and never
+// anything worse (with sanitizers, this is a small fuzz test).
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -16,7 +16,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 using Decoder = ImageFile (*)(std::span<const std::byte>, const std::string&);
 
-// The sentence of the error, empty for a picture.
+// The error message; empty for a picture.
 std::string error_of(Decoder decode, std::span<const std::byte> bytes) {
   try {
     const ImageFile file = decode(bytes, "bad");
@@ -24,12 +24,12 @@ std::string error_of(Decoder decode, std::span<const std::byte> bytes) {
     return "";
   } catch (const FileError& error) {
     EXPECT_EQ(error.exit_code, 65) << error.what();
-    EXPECT_TRUE(std::strncmp(error.what(), "`bad` is not a good ", 20) == 0) << error.what();
+    EXPECT_TRUE(std::strncmp(error.what(), "`bad` is not a valid ", 21) == 0) << error.what();
     return error.what();
   }
 }
 
-// An exact copy on the heap, so that a sanitizer sees every step beyond its end.
+// An exact copy on the heap, so that a sanitizer sees every access beyond its end.
 std::string error_of_copy(Decoder decode, const Bytes& bytes, std::size_t size) {
   const Bytes copy(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
   return error_of(decode, copy);
@@ -42,15 +42,15 @@ void cut_everywhere(Decoder decode, const Bytes& bytes) {
   EXPECT_EQ(error_of(decode, bytes), "");
 }
 
-// The most memory this process ever had, in KB.
+// The peak memory of this process, in KB.
 long peak_memory() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss;
 }
 
-// How many of the changes are noticed. No damaged length or size may cost gigabytes (a sanitizer alone takes hundreds
-// of megabytes).
+// Returns how many of the changes are noticed. No damaged length or size may cost gigabytes (a sanitizer alone takes
+// hundreds of megabytes).
 int change_everywhere(Decoder decode, const Bytes& bytes) {
   const long memory_before = peak_memory();
   int errors = 0;
@@ -80,16 +80,16 @@ TEST(DamagedPng, ChangedAnywhere) {
 TEST(DamagedPng, TheErrorSaysWhatIsWrong) {
   const Bytes bytes = small_png(8);
   EXPECT_EQ(error_of_copy(decode_png, bytes, bytes.size() - 3),
-            "`bad` is not a good PNG file: the file ends too early");
+            "`bad` is not a valid PNG file: the file ends too early");
 }
 
-// Sizes, and the checksum of the header chunk that goes with them (computed by hand, once, by another program).
+// Sizes and the matching checksum of the header chunk (computed once, by another program).
 TEST(DamagedPng, AHugeSizeIsNotBelieved) {
   Bytes bytes = small_png(8);
   const unsigned char header[] = {0x00, 0x00, 0xff, 0x00, 0x00, 0x00, 0xff, 0x00, 8,
                                   2,    0,    0,    0,    0x3c, 0xe4, 0x32, 0xdf};
   for (std::size_t i = 0; i < sizeof header; i++) bytes[16 + i] = static_cast<std::byte>(header[i]);
-  EXPECT_EQ(error_of(decode_png, bytes), "`bad` is not a good PNG file: it says it has 65280 x 65280 pixels");
+  EXPECT_EQ(error_of(decode_png, bytes), "`bad` is not a valid PNG file: it claims to have 65280 x 65280 pixels");
 }
 
 TEST(DamagedExr, CutAnywhere) {

@@ -1,4 +1,4 @@
-// EXR: numbers, windows, layers and metadata come back exactly, and the bytes depend on the picture alone.
+// EXR: numbers, windows, layers and metadata survive exactly, and the bytes depend on the picture alone.
 #include "image/exr.hpp"
 
 #include <ImfChannelList.h>
@@ -127,7 +127,7 @@ TEST(Exr, WithoutColoursItIsAnError) {
     FAIL() << "no error";
   } catch (const FileError& error) {
     EXPECT_EQ(error.exit_code, 65);
-    EXPECT_STREQ(error.what(), "`deep.exr` is not a good EXR file: it has no channels R, G, B and no channel Y");
+    EXPECT_STREQ(error.what(), "`deep.exr` is not a valid EXR file: it has no channels R, G, B and no channel Y");
   }
 }
 

@@ -1,6 +1,6 @@
 // FLIP: the properties the paper states, and numbers from a second implementation of its equations that was written
-// apart from this one (two-dimensional kernels in double precision, scipy.ndimage.correlate). The tolerance is that of
-// float filters under the square root of the feature term.
+// independently (two-dimensional kernels in double precision, scipy.ndimage.correlate). The tolerance is for float
+// filters under the square root of the feature term.
 #include "image/flip.hpp"
 
 #include <gtest/gtest.h>
@@ -37,11 +37,11 @@ TEST(Flip, LiesBetweenZeroAndOne) {
   EXPECT_LE(flip(test::wild(20, 20), test::pattern(20, 20)), 1);
 }
 
-// Flat pictures have no features: what is left is the colour distance of section 4.1, by hand for black against white:
+// Flat pictures have no features, only the colour distance of section 4.1; by hand, for black against white:
 // HyAB = 100, 100^0.7 = 25.119; green against blue 41.290; 0.95 + 0.05 (25.119 - 16.516) / (41.290 - 16.516) = 0.9674.
 TEST(Flip, FlatColours) {
   EXPECT_NEAR(flat_flip(0, 0, 0, 1, 1, 1), 0.967379761961, tolerance);
-  EXPECT_NEAR(flat_flip(0, 1, 0, 0, 0, 1), 1, tolerance);  // the largest distance there is
+  EXPECT_NEAR(flat_flip(0, 1, 0, 0, 0, 1), 1, tolerance);  // the largest possible distance
   EXPECT_NEAR(flat_flip(0.5f, 0.5f, 0.5f, 0.6f, 0.5f, 0.5f), 0.249604398793, tolerance);
   EXPECT_NEAR(flat_flip(1, 0, 0, 0, 0, 0), 0.970497336767, tolerance);
   EXPECT_NEAR(flat_flip(0.2f, 0.2f, 0.2f, 0.21f, 0.21f, 0.21f), 0.063993433564, tolerance);

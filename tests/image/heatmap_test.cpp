@@ -1,4 +1,4 @@
-// The heat map: black for none, the brightest for the scale, and lighter for more, always.
+// The heat map: black for no difference, brightest for the scale, and always lighter for more.
 #include "image/heatmap.hpp"
 
 #include <gtest/gtest.h>

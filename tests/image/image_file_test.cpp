@@ -1,4 +1,4 @@
-// The door to files: the format follows the name when writing and the content when reading, and errors are sentences.
+// Picture files: the format follows the name when writing and the content when reading, and errors are sentences.
 #include "image/image_file.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using test::TestFolder;
 
-// Exit code and sentence of what `action` throws.
+// The exit code and message of what `action` throws.
 template <class Action>
 std::pair<int, std::string> error_of(Action&& action) {
   try {

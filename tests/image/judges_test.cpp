@@ -28,7 +28,7 @@ class Judges : public testing::Test {
   TestFolder folder_;
 };
 
-// The number after `label` in the words of another program.
+// The number after `label` in another program's output.
 double number_after(const std::string& text, const std::string& label) {
   const std::size_t at = text.find(label);
   return at == text.npos ? NAN : std::atof(text.c_str() + at + label.size());
@@ -90,8 +90,8 @@ TEST_F(Judges, IdiffFindsTheSameFigures) {
   }
 }
 
-// A case that idiff 2.4 judges by its manual: some pixel is beyond `fail`, or none is beyond any threshold. (Where no
-// pixel is beyond `fail` it looks at neither `hardfail` nor the warnings, because its newer option -allowfailures, 0 by
+// A case that idiff 2.4 judges by its manual: some pixel is beyond `fail`, or none is beyond any threshold. (If no
+// pixel is beyond `fail`, it checks neither `hardfail` nor the warnings, because its newer option -allowfailures, 0 by
 // default, is then already satisfied.)
 struct IdiffCase {
   const char* theirs;

@@ -135,7 +135,7 @@ TEST(Verdict, OnlyPicturesOfTheSameSizeAndPlaceCompare) {
   elsewhere.window = {6, 7, 19, 16};
   EXPECT_TRUE(can_compare(crop, crop));
   EXPECT_FALSE(can_compare(crop, elsewhere));
-  EXPECT_TRUE(can_compare(crop, whole_picture(crop.image)));  // the same crop as PNG, which has no place
+  EXPECT_TRUE(can_compare(crop, whole_picture(crop.image)));  // the same crop as PNG, which stores no window
   EXPECT_FALSE(can_compare(crop, whole_picture(test::pattern(13, 10))));
   EXPECT_FALSE(can_compare(whole_picture(test::pattern(4, 3)), whole_picture(test::pattern(3, 4))));
 }

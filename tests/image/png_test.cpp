@@ -1,4 +1,4 @@
-// PNG: what is written comes back, the file has nothing in it that it should not have, and every kind of PNG is read.
+// PNG: what is written comes back, the file contains nothing superfluous, and every kind of PNG is read.
 #include "image/png.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Png, SixteenBitsComeBack) {
   EXPECT_EQ(decode_png(encode_png(image, {}, 16, Rounding::nearest), "x.png").image, image);
 }
 
-// Its pixels are one chunk of more than the 8 MB that other chunks may have when they are read.
+// Its pixels are one chunk, larger than the 8 MB that other chunks may have when they are read.
 TEST(Png, LargeNoiseComesBack) {
   Image image = make_image(1500, 1000);
   std::mt19937 random(1);

@@ -1,4 +1,4 @@
-// Rounding of colours to whole numbers, against integer arithmetic.
+// Rounding of colours to integers, against integer arithmetic.
 #include "image/quantize.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ TEST(Quantize, TheNearestNumbers) {
   EXPECT_EQ(quantize_8(std::nextafter(0.5f / 255, 0.0f)), 0);
 }
 
-// 255 n / 100000 + 1e-4 = (255 n + 10) / 100000, without rounding. A float is within 6e-8 of n/100000, which moves the
-// value by less than 2e-5: nowhere near a whole number by that alone, as all values are multiples of 5e-5.
+// 255 n / 100000 + 1e-4 = (255 n + 10) / 100000, exactly. A float is within 6e-8 of n/100000, which moves the value by
+// less than 2e-5. As all values are multiples of 5e-5, that cannot reach an integer.
 TEST(Quantize, EveryFiveDigitDecimalOfTheCourse) {
   for (int n = 0; n <= 100000; n++) {
     const int expected = (255 * n + 10) / 100000;

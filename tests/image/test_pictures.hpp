@@ -1,4 +1,4 @@
-// Pictures for tests, from integer formulas, so that other programs can make the same ones.
+// Pictures for tests, made by integer formulas so that other programs can make the same ones.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace penumbra::test {
 
-// Colours n/255 that vary in all directions; `shift` lets stripes of 8 columns differ from the picture with shift 0.
+// Colours n/255 that vary in all directions; `shift` makes stripes of 8 columns differ from the picture with shift 0.
 inline Image pattern(int width, int height, int shift = 0) {
   Image image = make_image(width, height);
   for (int y = 0, i = 0; y < height; y++) {
@@ -33,7 +33,7 @@ inline Image flat(int width, int height, float r, float g, float b) {
   return image;
 }
 
-// Numbers of every kind that a float can be, but no NaN.
+// Floats of every kind but NaN.
 inline Image wild(int width, int height) {
   Image image = make_image(width, height);
   const float infinity = std::numeric_limits<float>::infinity();

@@ -7,6 +7,7 @@
 
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
+#include "picture/develop.hpp"
 #include "picture/metadata.hpp"
 
 namespace penumbra {
@@ -75,6 +76,13 @@ TEST_F(PictureOptionsTest, SayTheSameAsTheSceneWould) {
   check("10 0.3 0.1\n", "10 0.3 0.4\n", "--gloss 1:0.4");
   check("0.6 1.1 0.3", "0.6 1.1 0.1", "--blur 0.1");
   check("0.6 1.1 0.3", "0.6 1.1 0", "--without translucency");
+}
+
+TEST_F(PictureOptionsTest, LeaveThePointAtTheCentreOfALight) {
+  const std::string disk = "disk_light 2 5 -2 1 0 -1 0 1 1 1", quad = "quad_light 2 5 -2 1 0 0 0.3 0 1 1 1 1";
+  const auto points = pixels(with(disk, "point_light 2 5 -2 1 1 1"), "");
+  EXPECT_EQ(pixels(with(disk, quad), "--without disk-lights"), points);
+  EXPECT_NE(pixels(with(disk, quad), ""), points);
 }
 
 TEST_F(PictureOptionsTest, LaterRadiiWin) {

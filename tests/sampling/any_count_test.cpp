@@ -1,5 +1,5 @@
-// Any number of rays is allowed: points of every pattern are in the unit square, a pass follows a pass where the count
-// is part of the pattern, and where it is not, more points only add to fewer.
+// Any number of rays is allowed: the points of every pattern are in the unit square; patterns that depend on the count
+// continue pass after pass; in all others, more points extend fewer ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool begins_with(const Points& all, const Points& fewer) {
          std::equal(fewer.v.begin(), fewer.v.end(), all.v.begin());
 }
 
-// Whether no point of the one list is in the same place of the other.
+// Whether no point of one list equals the point at the same index of the other.
 bool differ_everywhere(const Points& a, const Points& b) {
   for (std::size_t i = 0; i < a.u.size(); i++) {
     if (a.u[i] == b.u[i] && a.v[i] == b.v[i]) return false;
@@ -51,7 +51,7 @@ TEST_P(AnyCount, PointsAreInTheUnitSquare) {
   }
 }
 
-// All points of a large set are different ones: nothing is drawn twice.
+// All points of a large set are different: nothing is drawn twice.
 TEST_P(AnyCount, PointsOfASetDiffer) {
   for (const std::uint32_t count : {2u, 7u, 50u, 1000u}) {
     const Frame frame = sampling_frame(GetParam(), count, 3);
@@ -93,7 +93,7 @@ TEST_P(AnyCount, PassesFollowPassesOrPointsGoOn) {
   }
 }
 
-// Of a pattern that needs it, the count is part of the name.
+// For a pattern that needs the count, another count gives other points.
 TEST_P(AnyCount, OnlySequencesIgnoreTheCount) {
   for (const Dimensions dimensions : all_dimensions) {
     const Points all = points_of(sampling_frame(GetParam(), 64, 3), 4, 5, dimensions, 64);
@@ -105,7 +105,7 @@ TEST_P(AnyCount, OnlySequencesIgnoreTheCount) {
 INSTANTIATE_TEST_SUITE_P(Patterns, AnyCount, testing::ValuesIn(all_patterns),
                          [](const auto& p) { return name_of(p.param); });
 
-// Beyond the table of joint dimensions the sequence goes on with other points.
+// Beyond the table of joint dimensions the sequence continues with different points.
 TEST(Sobol, PointsBeyondTheTableAreOthers) {
   constexpr std::uint32_t count = largest_sobol_table + 4096;
   const Frame frame = sampling_frame(Pattern::sobol, count, 3);

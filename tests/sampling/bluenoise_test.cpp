@@ -1,6 +1,6 @@
-// `bluenoise` spreads its error over the screen as blue noise: below 1/16 cycles a pixel there is less than a tenth of
-// the power that independent points have. In each pixel its points are nets, uniform over the seeds, and as good as
-// `sobol`'s. Statistical limits leave one seed in a million to chance (statistics.hpp).
+// `bluenoise` spreads its error over the screen as blue noise: below 1/16 cycle per pixel it has less than a tenth of
+// the power of independent points. In each pixel its points are nets, uniform over the seeds, and as good as those of
+// `sobol`. The statistical limits leave one seed in a million to chance (statistics.hpp).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct Integrand {
   std::function<double(double, double)> value;
 };
 
-// Edges and smooth ones, on the square and on the disk that lights and lenses make of it.
+// Edges and smooth functions, on the square and on the disk to which it is warped for lights and lenses.
 const std::vector<Integrand> integrands = {
     {"step in u", [](double u, double) { return u < 0.37 ? 1.0 : 0.0; }},
     {"step in v", [](double, double v) { return v < 0.58 ? 1.0 : 0.0; }},
@@ -63,7 +63,7 @@ std::vector<std::vector<double>> estimates(Pattern pattern, std::size_t rays, Di
   return result;
 }
 
-// The mean power at frequencies below `band` cycles a pixel, zero left out; that of white noise is its variance.
+// The mean power at frequencies below `band` cycles per pixel, except zero; for white noise it is the variance.
 double low_power(const std::vector<double>& picture, double band) {
   const int most = static_cast<int>(band * screen);
   double power = 0;
@@ -89,7 +89,7 @@ double low_power(const std::vector<double>& picture, double band) {
   return power / count;
 }
 
-// The power at low frequencies of the worst integrand, as a part of that of `random` with as many rays.
+// The power of the worst integrand at low frequencies, as a fraction of that of `random` with as many rays.
 struct LowShare {
   double worst;
   const char* name;
@@ -120,7 +120,7 @@ TEST(BlueNoise, LowFrequenciesAreQuiet) {
   }
 }
 
-// The same measure on patterns that know nothing of the neighbouring pixels.
+// The same measurement of patterns that ignore the neighbouring pixels.
 TEST(BlueNoise, OtherPatternsAreNotQuiet) {
   if (slow_build) GTEST_SKIP() << "whole screens are slow here";
   for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
@@ -129,7 +129,7 @@ TEST(BlueNoise, OtherPatternsAreNotQuiet) {
   }
 }
 
-// Point `index` of one pixel over many seeds.
+// Single points of two pixels over many seeds.
 TEST(BlueNoise, EachPointIsUniformOverTheSeeds) {
   const int seeds = scaled(8000, 4000);
   const double limit = normal_limit(3 * 2 * 3);
@@ -150,7 +150,7 @@ TEST(BlueNoise, EachPointIsUniformOverTheSeeds) {
   }
 }
 
-// The first 2^m points and all later aligned blocks of as many have one point in each elementary interval.
+// The first 2^m points and all later aligned blocks of the same size have one point in each elementary interval.
 TEST(BlueNoise, PointsOfAPixelAreNets) {
   const Frame frame = sampling_frame(Pattern::bluenoise, 1024, 3);
   for (const Dimensions dimensions : all_dimensions) {
@@ -172,8 +172,8 @@ TEST(BlueNoise, PointsOfAPixelAreNets) {
   }
 }
 
-// The mean squared error of the estimates of many pixels over all integrands' is at most half as much again as sobol's,
-// in the geometric mean; none is more than three times sobol's.
+// Over many pixels, the mean squared errors of the estimates are less than 1.5 times those of `sobol` in the geometric
+// mean over all integrands, and less than 3 times for each.
 TEST(BlueNoise, IsAsGoodAsSobolInEveryPixel) {
   const int pixels = scaled(400, 100);
   for (const std::size_t rays : {std::size_t{16}, std::size_t{24}, std::size_t{64}, std::size_t{256}}) {
@@ -208,7 +208,7 @@ TEST(BlueNoise, IsAsGoodAsSobolInEveryPixel) {
   }
 }
 
-// Across the screen no dimension tells anything about another.
+// Across the screen, no dimension says anything about another.
 TEST(BlueNoise, DimensionsAreNotCorrelated) {
   const Frame frame = sampling_frame(Pattern::bluenoise, 4, 7);
   const int size = scaled(128, 64);
@@ -235,8 +235,8 @@ TEST(BlueNoise, DimensionsAreNotCorrelated) {
   }
 }
 
-// Within a pixel, the squared correlation of two dimensions over n points is that of random pairing or up to a few
-// times it (the points of an octave stay together).
+// Within a pixel, the squared correlation of two dimensions over n points is that of random pairing, or up to 2.5 times
+// it (because the points of an octave stay together).
 TEST(BlueNoise, DimensionsPairUpAtRandom) {
   for (const std::size_t count : {std::size_t{16}, std::size_t{64}, std::size_t{256}}) {
     const Frame frame = sampling_frame(Pattern::bluenoise, static_cast<std::uint32_t>(count), 8);

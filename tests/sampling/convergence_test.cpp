@@ -1,14 +1,14 @@
-// How fast the error of a mean falls with the number of points, and that odd numbers of points are no worse than square
-// ones. What theory says of the variance of N points in the plane, for smooth functions and for edges:
+// How fast the error of a mean falls with the number of points, and that numbers that are not squares are no worse than
+// squares. What theory says about the variance of N points in the plane, for smooth functions and for edges:
 //   random         N^-1    N^-1
-//   jittered       N^-2    N^-3/2   as on the lecture's pages: one point in each cell
+//   jittered       N^-2    N^-3/2   as in the lecture: one point in each cell
 //   multijittered  N^-3/2  N^-3/2   for edges always below jittered, for smooth functions up to about 100 points;
-//                                   then the orders that cells share cost more than columns and rows save
-//   poisson        between N^-1 and N^-3/2: low frequencies are weaker than in random points, but they are there
+//                                   then the shared orders of cells cost more than columns and rows save
+//   poisson        between N^-1 and N^-3/2: low frequencies are weaker than in random points, but present
 //   halton         N^-2    N^-3/2   between the counts 2^a 3^b
-//   sobol          N^-3    N^-3/2   but for powers of log N (Owen 1997)
+//   sobol          N^-3    N^-3/2   up to powers of log N (Owen 1997)
 //   bluenoise      N^-3    N^-3/2   as sobol
-// Bounds are at least five standard errors of the measurement from what the right points give.
+// The bounds are at least five standard errors of the measurement away from what correct points give.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -21,10 +21,10 @@
 namespace penumbra::test {
 namespace {
 
-// Sets of `count` points, each with a number of its own.
+// Sets of `count` points, identified by a number.
 using Generator = std::function<Points(std::uint32_t count, int number)>;
 
-// Some patterns have a table for each seed.
+// Some patterns need a table for each seed.
 constexpr int seeds = 16;
 const std::vector<Frame>& frames_of(Pattern pattern, std::uint32_t count) {
   static std::map<std::pair<Pattern, std::uint32_t>, std::vector<Frame>> made;
@@ -62,8 +62,8 @@ const Functions<Edge>& edges() {
   return functions;
 }
 
-// The mean square of the error of the mean over `count` points, averaged over the functions and many sets. It holds a
-// bias too: points that are not uniform do not converge.
+// The mean squared error of the mean over `count` points, averaged over the functions and many sets. It includes any
+// bias: points that are not uniform do not converge.
 template <typename Function>
 double variance(const Generator& generator, const Functions<Function>& functions, std::uint32_t count, int sets) {
   double total = 0;
@@ -91,7 +91,7 @@ double slope(const Generator& generator, const Functions<Function>& functions, i
   return sum / squares;
 }
 
-// What 50 rays are against 49, which are 7 by 7. About 49/50 where nothing is wrong.
+// The variance with 50 rays divided by that with 49, which are 7 by 7: about 49/50 if nothing is wrong.
 template <typename Function>
 double fifty_against_square(const Generator& generator, const Functions<Function>& functions, int sets) {
   return variance(generator, functions, 50, sets) / variance(generator, functions, 49, sets);
@@ -99,11 +99,11 @@ double fifty_against_square(const Generator& generator, const Functions<Function
 
 constexpr int slope_sets = scaled(1600, 400), random_sets = scaled(4000, 800), ratio_sets = scaled(12800, 3200);
 constexpr double worst_ratio = 1.1;
-constexpr double most_left = 0.65;  // of the variance, when there are twice as many points
+constexpr double most_left = 0.65;  // of the variance, with twice as many points
 
 struct Bounds {
   Pattern pattern;
-  double smooth, edges;  // the slopes are at most these
+  double smooth, edges;  // upper bounds of the slopes
 };
 constexpr Bounds all_bounds[] = {{Pattern::regular, -1.9, -1.4},       {Pattern::jittered, -1.9, -1.4},
                                  {Pattern::multijittered, -1.4, -1.4}, {Pattern::poisson, -1.1, -1.15},
@@ -135,7 +135,7 @@ TEST_P(Convergence, ErrorFallsAsFastAsTheorySays) {
   }
 }
 
-// Every pattern is better than random points, at 16 points already.
+// Every pattern is better than random points, even at 16 points.
 TEST_P(Convergence, ErrorIsBelowThatOfRandomPoints) {
   if (GetParam() == Pattern::random) GTEST_SKIP() << "random points";
   const Generator random = points_of_pattern(Pattern::random, {pixel_x});
@@ -160,7 +160,7 @@ TEST_P(Convergence, FiftyRaysAreAsGoodAsTheyShouldBe) {
   }
 }
 
-// Twice as many points are never worse, though rows of cells may be longer and shorter ones.
+// Twice as many points are always better, even where the rows of cells differ in length.
 TEST_P(Convergence, MorePointsAreBetter) {
   const Generator generator = points_of_pattern(GetParam(), {pixel_x});
   double before = 1, edge_before = 1;
@@ -177,7 +177,7 @@ TEST_P(Convergence, MorePointsAreBetter) {
 INSTANTIATE_TEST_SUITE_P(Patterns, Convergence, testing::ValuesIn(all_patterns),
                          [](const auto& p) { return name_of(p.param); });
 
-// --- What the measurements would notice. ---
+// --- Defects that the measurements notice. ---
 
 Generator jittered() { return points_of_pattern(Pattern::jittered, {pixel_x}); }
 Generator random_points() { return points_of_pattern(Pattern::random, {pixel_x}); }
@@ -187,7 +187,7 @@ TEST(ConvergenceChecks, NoticeRandomPoints) {
   EXPECT_GT(slope(random_points(), edges(), slope_sets / 4), -1.4);
 }
 
-// One point in ten anywhere.
+// One point in ten is anywhere.
 TEST(ConvergenceChecks, NoticeAFewRandomPoints) {
   const auto mixed = [stratified = jittered(), random = random_points()](std::uint32_t count, int number) {
     Points points = stratified(count, number);
@@ -212,7 +212,7 @@ TEST(ConvergenceChecks, NoticeTruncatedNumbers) {
   EXPECT_GT(slope(truncated, bumps(), slope_sets / 4), -1.9);
 }
 
-// 7 by 7 cells and the fiftieth point anywhere.
+// 7 by 7 cells, and the fiftieth point anywhere.
 TEST(ConvergenceChecks, NoticeALeftOverPoint) {
   const auto left_over = [stratified = jittered(), random = random_points()](std::uint32_t count, int number) {
     const auto side = static_cast<std::uint32_t>(std::sqrt(count));
@@ -225,7 +225,7 @@ TEST(ConvergenceChecks, NoticeALeftOverPoint) {
   EXPECT_GT(fifty_against_square(left_over, bumps(), ratio_sets / 2), worst_ratio);
 }
 
-// The points of half as many, each twice.
+// Half as many points, each twice.
 TEST(ConvergenceChecks, NoticePointsDrawnTwice) {
   const auto twice = [stratified = jittered()](std::uint32_t count, int number) {
     Points points = stratified(count / 2, number);

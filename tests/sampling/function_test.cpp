@@ -1,5 +1,5 @@
 // The packets' own elementary functions against the C library's in double precision, on dense inputs, within the errors
-// that base/lane_math.hpp states; and to the bit the same for every instruction set.
+// stated in base/lane_math.hpp; and bit-identical for every instruction set.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -33,7 +33,7 @@ std::vector<float> dense(double lo, double hi, int count = scaled(1000001, 20001
   return list;
 }
 
-// The largest of error(i) over all results.
+// The largest error over all results.
 double largest(const std::vector<float>& results, const std::function<double(std::size_t)>& exact, bool relative) {
   double error = 0;
   for (std::size_t i = 0; i < results.size(); i++) {
@@ -82,7 +82,7 @@ TEST(Functions, Exp2) {
   for (const float v : outside) EXPECT_EQ(v, 0x1p-126f);
 }
 
-// The error of a power grows with the exponent: that of the logarithm, times it.
+// The error of a power is that of the logarithm times the exponent.
 TEST(Functions, Power) {
   double worst = 0;
   for (const float exponent : {0.5f, 1.0f, 2.0f, 5.0f, 10.0f, 50.0f, 300.0f, 1000.0f}) {
@@ -95,7 +95,7 @@ TEST(Functions, Power) {
         EXPECT_LT(results[i], 0x1p-119);
         continue;
       }
-      // log2 is off by 2e-7 of the larger of 1 and itself.
+      // log2 is off by up to 2e-7 times the larger of 1 and its magnitude.
       const double bound =
           3e-7 + 2e-7 * std::numbers::ln2 * exponent * std::max(1.0, std::abs(std::log2(double{a[i]})));
       worst = std::max(worst, std::abs(results[i] - e) / e / bound);
@@ -104,7 +104,7 @@ TEST(Functions, Power) {
   EXPECT_LT(worst, 1);
 }
 
-// One exponent for all lanes and one for each give the same bits.
+// One exponent for all lanes and one per lane give the same bits.
 TEST(Functions, WholePower) {
   double worst = 0;
   for (const float exponent : {1.0f, 2.0f, 3.0f, 10.0f, 50.0f, 255.0f, 4096.0f}) {

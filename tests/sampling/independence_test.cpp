@@ -1,5 +1,5 @@
-// Nothing ties one dimension, one pixel or one seed to another. All limits leave one seed in a million to chance, over
-// all numbers that a test looks at (statistics.hpp), for each pattern.
+// Dimensions, pixels and seeds are independent of each other. For each pattern, all limits leave one seed in a million
+// to chance, over all numbers that a test looks at (statistics.hpp).
 #include <gtest/gtest.h>
 
 #include <random>
@@ -28,12 +28,12 @@ std::vector<Column> columns_of(const Frame& frame, int x, int y, std::size_t cou
   return columns;
 }
 
-// Patterns of which all pixels differ.
+// Patterns that differ from pixel to pixel.
 const auto random_patterns = testing::Values(Pattern::random, Pattern::jittered, Pattern::multijittered,
                                              Pattern::poisson, Pattern::halton, Pattern::sobol, Pattern::bluenoise);
 const auto name_of_test = [](const auto& p) { return name_of(p.param); };
 
-// One point each of many pixels, as in a picture with one ray a pixel: plain random numbers.
+// One point from each of many pixels, as in a picture with one ray per pixel: plain random numbers.
 class AcrossPixels : public testing::TestWithParam<Pattern> {
  protected:
   static constexpr int size = scaled(128, 64);
@@ -79,11 +79,11 @@ TEST_P(AcrossPixels, DimensionsAreIndependent) {
 
 INSTANTIATE_TEST_SUITE_P(Patterns, AcrossPixels, random_patterns, name_of_test);
 
-// Within a pixel numbers of different dimensions pair up at random. The squared correlation of n pairs that are paired
-// at random is 1 / (n - 1) in the mean; over P pixels its relative error is sqrt(2 / P). Sequences pair up whole
-// blocks, in which a point and the next are on opposite sides in both dimensions: that gives up to twice as much, never
-// more. Numbers that are not shuffled against each other show here: they would be in the same order, or their first
-// bits the same bit of the index, and the mean far above.
+// Within a pixel, numbers of different dimensions pair up at random. The squared correlation of n pairs that are paired
+// at random is 1 / (n - 1) on average; over P pixels its relative error is sqrt(2 / P). Sequences pair up whole blocks,
+// in which consecutive points are on opposite sides in both dimensions: that gives up to twice as much, never more.
+// Dimensions that are not shuffled against each other show here: they would be in the same order, or their first bits
+// would be the same bit of the index, and the mean far larger.
 class WithinPixels : public testing::TestWithParam<Pattern> {
  protected:
   // Two dimensions that are stratified together on purpose.
@@ -135,7 +135,7 @@ TEST_P(WithinPixels, DimensionsPairUpAtRandom) {
 
 INSTANTIATE_TEST_SUITE_P(Patterns, WithinPixels, random_patterns, name_of_test);
 
-// The fixed pattern has a fixed order in each dimension, but no two the same.
+// The fixed pattern has a fixed order in each dimension, but no two are the same.
 TEST(Regular, OrdersOfDimensionsAreUnlike) {
   for (const std::size_t count : {std::size_t{50}, std::size_t{64}, std::size_t{256}, std::size_t{1000}}) {
     const std::vector<Column> columns = columns_of(sampling_frame(Pattern::regular, count, 1), 0, 0, count);
@@ -150,7 +150,7 @@ TEST(Regular, OrdersOfDimensionsAreUnlike) {
   }
 }
 
-// --- What the checks would notice. ---
+// --- Defects that the checks notice. ---
 
 class IndependenceChecks : public testing::Test {
  protected:
@@ -172,14 +172,14 @@ TEST_F(IndependenceChecks, PassRandomNumbers) {
 
 TEST_F(IndependenceChecks, NoticeEqualDimensions) { EXPECT_GT(dependence(noise(1), noise(1)), limit); }
 
-// Turned by a quarter of the circle, two numbers are hardly correlated, and yet one follows from the other.
+// A number and its copy shifted by 0.21 on the circle are hardly correlated, and yet one determines the other.
 TEST_F(IndependenceChecks, NoticeShiftedDimensions) {
   std::vector<float> shifted = noise(1);
   for (float& x : shifted) x = x < 0.79f ? x + 0.21f : x - 0.79f;
   EXPECT_GT(dependence(noise(1), shifted), limit);
 }
 
-// Every eighth number the same.
+// Every eighth number is the same.
 TEST_F(IndependenceChecks, NoticeWhatIsPartlyEqual) {
   const std::vector<float> a = noise(1);
   std::vector<float> b = noise(2);
@@ -200,7 +200,7 @@ TEST_F(IndependenceChecks, NoticeEqualRows) {
   EXPECT_GT(neighbour_dependence(values, size, 0, 1), limit);
 }
 
-// Two stratified dimensions in one order instead of two: the same permutation for both.
+// The same permutation for two stratified dimensions.
 TEST_F(IndependenceChecks, NoticeTheSameOrderTwice) {
   const Frame frame = sampling_frame(Pattern::jittered, 50, 1);
   double same = 0, different = 0;

@@ -1,5 +1,5 @@
-// What sample points are for: means over the unit square, here of functions whose mean is known. Smooth ones are bumps;
-// edges are half planes that cross the square, as the outlines of shapes cross a pixel.
+// Functions of the unit square with known means, for which sample points are used. Smooth ones are bumps; edges are
+// half-planes that cross the square, as the outlines of shapes cross a pixel.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace penumbra::test {
 
-// 1 / (1 + ((u - x)^2 + (v - y)^2) / width^2)^2: smooth, not periodic, and no sum of functions of u and of v.
+// 1 / (1 + ((u - x)^2 + (v - y)^2) / width^2)^2: smooth, not periodic, and not a sum of a function of u and one of v.
 struct Bump {
   float x, y, width;
 
@@ -20,7 +20,7 @@ struct Bump {
     return 1 / (t * t);
   }
 
-  // Simpson's rule: its error is far below that of any number of points here.
+  // Simpson's rule: its error is far below that of the sample points.
   double mean() const {
     constexpr int steps = 256;
     const auto weight = [](int i) { return i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0; };
@@ -43,7 +43,7 @@ struct Edge {
   float operator()(float u, float v) const { return cosine * u + sine * v < offset ? 1.0f : 0.0f; }
 
   double mean() const {
-    constexpr int steps = 1 << 16;  // columns; in all but the few that end at a corner the length below is linear
+    constexpr int steps = 1 << 16;  // columns; the length below is linear in all but the few with a corner
     double sum = 0;
     for (int i = 0; i < steps; i++) {
       const double end = (offset - cosine * (i + 0.5) / steps) / sine;
@@ -61,7 +61,7 @@ inline std::vector<Bump> random_bumps(int count) {
   return list;
 }
 
-// In all directions, all at least 0.2 from the middle's farthest corner: each divides the square into parts that count.
+// In all directions, at most 0.8 of the way from the middle to the farthest corner: both parts of the square count.
 inline std::vector<Edge> random_edges(int count) {
   std::mt19937 random(12);
   const auto number = [&] { return static_cast<double>(random() >> 8) * 0x1p-24; };

@@ -1,6 +1,6 @@
 // What Sobol points promise exactly: at every power of two, each elementary interval of the first two joint dimensions
-// and of every padded pair holds one point ((0,2)-nets), joint dimensions that make pictures together are nets of some
-// quality, each dimension is stratified, and more points only add to fewer.
+// and of every padded pair holds one point ((0,2)-nets); joint dimensions that shape pictures together are nets of a
+// certain quality; each dimension is stratified; later aligned blocks are nets too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace penumbra::test {
 namespace {
 
-// Whether the first 2^m points have one in each of the 2^m intervals of 2^a by 2^(m-a).
+// Whether the first 2^m points have one in each of the 2^a by 2^(m-a) intervals.
 bool is_net(const Points& points, int m, int a) {
   std::vector<int> counts(std::size_t{1} << m);
   for (std::size_t i = 0; i < counts.size(); i++) {
@@ -55,7 +55,7 @@ TEST(Sobol, EveryDimensionIsStratified) {
   }
 }
 
-// Later blocks are nets too: picture after picture of 64 samples each.
+// Later blocks are nets too: one picture after another with 64 samples each.
 TEST(Sobol, AlignedBlocksAreNets) {
   const Frame frame = sampling_frame(Pattern::sobol, 1024);
   for (const Dimensions dimensions : {Dimensions{pixel_x}, Dimensions{0x2c1b3c6du}}) {
@@ -68,7 +68,7 @@ TEST(Sobol, AlignedBlocksAreNets) {
   }
 }
 
-// The least t so that the first 2^m points have 2^t in each elementary interval of volume 2^(t-m).
+// The least t such that the first 2^m points have 2^t in each elementary interval of volume 2^(t-m).
 class NetQuality {
  public:
   NetQuality(const std::vector<std::vector<float>>& coordinates, int m) : coordinates_(coordinates), m_(m) {}
@@ -81,8 +81,8 @@ class NetQuality {
   }
 
  private:
-  // For all ways to share the `left` bits out to the dimensions from `dimension` on; `cells` tells where the points are
-  // by the bits of those before.
+  // For all ways to distribute the `left` bits over the dimensions from `dimension` on; `cells` locates the points by
+  // the bits of the earlier dimensions.
   bool all_shapes_hold(const std::vector<std::size_t>& cells, std::size_t dimension, int left, int bits) const {
     if (dimension == coordinates_.size()) {
       std::vector<int> counts(std::size_t{1} << bits);
@@ -104,7 +104,7 @@ class NetQuality {
   int m_;
 };
 
-// For 4, 8, ... 512 points, as bench/direction_numbers.cpp tells of the numbers it finds.
+// For 4, 8, ... 512 points, as bench/direction_numbers.cpp prints for the numbers it finds.
 TEST(Sobol, JointDimensionsAreNetsTogether) {
   const Frame frame = sampling_frame(Pattern::sobol, 512, 5);
   std::vector<std::vector<float>> all;
@@ -135,7 +135,7 @@ TEST(Sobol, JointDimensionsAreNetsTogether) {
   }
 }
 
-// What the check would notice.
+// Defects that the check notices.
 bool is_net_throughout(const Points& points) {
   for (int a = 0; a <= 6; a++) {
     if (!is_net(points, 6, a)) return false;
@@ -161,7 +161,7 @@ TEST(NetCheck, NoticesWhatIsNoNet) {
   other = net;
   other.u[5] = other.u[6];
   EXPECT_FALSE(is_net(other, 6, 6));
-  // Two dimensions of unlike shuffles are no net together.
+  // Two dimensions with different shuffles are no net together.
   other.u = points_of(frame, 3, 2, {0x00012345u}, 64).u;
   other.v = points_of(frame, 3, 2, {0x2c1b3c6du}, 64).v;
   EXPECT_TRUE(is_net(other, 6, 6) && is_net(other, 6, 0));

@@ -1,5 +1,5 @@
-// Random permutations: every index is met once, at every length; every order is as likely as any other where the orders
-// can be counted, and for longer ones every triple of places is. One seed in a million fails.
+// Random permutations: every index occurs once, at every length; all orders are equally likely where they can be
+// counted, and all triples of places for longer lists. One seed in a million fails.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> whole(std::uint32_t length, std::uint32_t key) {
   return permuted(index, length, std::vector<std::uint32_t>(length, key));
 }
 
-// Where `index` goes under the keys 0, 1, 2, ...
+// Where `index` goes under the keys first, first + 1, ...
 std::vector<std::uint32_t> by_key(std::uint32_t index, std::uint32_t length, std::size_t keys, std::uint32_t first) {
   std::vector<std::uint32_t> key(keys);
   std::iota(key.begin(), key.end(), first);
@@ -70,7 +70,7 @@ TEST(Permutations, AllOrdersAreEquallyLikely) {
     for (std::uint32_t i = 0; i < length; i++) places.push_back(by_key(i, length, keys, length << 24));
     std::vector<int> counts(orders);
     for (std::size_t key = 0; key < keys; key++) {
-      std::uint32_t order = 0;  // its number in the factorial system
+      std::uint32_t order = 0;  // its number in the factorial number system
       for (std::uint32_t i = 0; i < length; i++) {
         std::uint32_t smaller = 0;
         for (std::uint32_t k = i + 1; k < length; k++) smaller += places[k][key] < places[i][key] ? 1 : 0;
@@ -82,7 +82,7 @@ TEST(Permutations, AllOrdersAreEquallyLikely) {
   }
 }
 
-// The counts of where the three indices go, one for each three places.
+// Counts where the three indices go, for each triple of places.
 std::vector<int> triples(std::uint32_t length, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                          const std::vector<std::uint32_t>& c) {
   std::vector<int> all(std::size_t{length} * length * length);
@@ -109,7 +109,7 @@ TEST(Permutations, AllTriplesAreEquallyLikely) {
       EXPECT_LT(chi_square_deviation(counts), limit) << n << ": " << a << " " << b << " " << c;
     }
   }
-  // Turning a list by a random number of places makes single places uniform, but not triples.
+  // Rotating a list by a random number of places makes single places uniform, but not triples.
   std::vector<std::uint32_t> a, b, c;
   for (const std::uint32_t turn : by_key(0, 16, keys, 0)) {
     a.push_back(turn);
@@ -119,7 +119,7 @@ TEST(Permutations, AllTriplesAreEquallyLikely) {
   EXPECT_GT(chi_square_deviation(triples(16, a, b, c)), limit);
 }
 
-// Long lengths, in 32 classes of places: neighbours and opposite ends land independently.
+// Long lists, in 4 or 25 classes of places: neighbours, and indices half a list apart, land independently.
 TEST(Permutations, PairsOfLongOnesAreIndependent) {
   const std::uint32_t lengths[] = {100, 128, 1000, 1024, 5000, 65536, 1000003};
   const double limit = normal_limit(2 * std::size(lengths));
@@ -135,7 +135,7 @@ TEST(Permutations, PairsOfLongOnesAreIndependent) {
       for (std::size_t i = 0; i < keys; i++) {
         counts[std::uint64_t{first[i]} * classes / n * classes + std::uint64_t{second[i]} * classes / n]++;
       }
-      // Classes differ in size by one, and two indices never share a place.
+      // Classes differ in size by at most one, and two indices never share a place.
       double chi_square = 0;
       for (std::uint32_t x = 0; x < classes; x++) {
         for (std::uint32_t y = 0; y < classes; y++) {

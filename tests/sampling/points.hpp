@@ -15,7 +15,7 @@ inline constexpr std::size_t pattern_count = std::size(all_patterns);
 
 inline std::string name_of(Pattern pattern) { return std::string(pattern_names[static_cast<int>(pattern)]); }
 
-// All that a frame needs for sample points.
+// A frame with all that sample points need.
 inline Frame sampling_frame(Pattern pattern, std::uint32_t count, std::uint32_t seed = 0) {
   Frame frame;
   frame.settings.pattern = pattern;
@@ -29,8 +29,8 @@ struct Points {
   std::vector<float> u, v;
 };
 
-// Two dimensions of the sample: two of the eye ray's, or a later pair. Later ones are named by hashes, never by small
-// numbers; what spreads a ray has neighbouring names.
+// Two dimensions of a sample: two of the eye ray, or a later pair. Later ones are named by hashes, never by small
+// numbers; those that spread one ray have consecutive names.
 struct Dimensions {
   std::uint32_t first;
   bool joint() const { return first < joint_dimension_count; }
@@ -47,7 +47,7 @@ inline Points points_of(const Frame& frame, int x, int y, Dimensions dimensions,
   return points;
 }
 
-// Points begin <= index < end of the list.
+// The points with begin <= index < end.
 inline Points part_of(const Points& points, std::size_t begin, std::size_t end) {
   return {{points.u.begin() + static_cast<std::ptrdiff_t>(begin), points.u.begin() + static_cast<std::ptrdiff_t>(end)},
           {points.v.begin() + static_cast<std::ptrdiff_t>(begin), points.v.begin() + static_cast<std::ptrdiff_t>(end)}};

@@ -1,6 +1,6 @@
-// `poisson` is a true, maximal Poisson disk pattern at every count: no two points nearer than the table's distance, no
-// place farther from all of them. Checked exactly, on tables and on what packets draw from them; sets that are not so
-// are told apart.
+// `poisson` is a true, maximal Poisson disk pattern at every count: no two points are nearer than the table's distance,
+// and no place is farther than it from all points. Checked exactly, on tables and on what packets draw from them; the
+// checks notice sets that are not maximal.
 #include "sampling/poisson_table.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(Poisson, DISABLED_TablesAreMaximalAtEveryCount) {
   for (std::uint32_t count = 1; count <= largest_poisson_tile; count++) expect_maximal(count, count % 3);
 }
 
-// Tiles side by side are one set, whose points are at least as many as asked for and less than a row of tiles more.
+// Tiles side by side are one set, with at least as many points as requested and fewer than one more per tile.
 TEST(Poisson, TilesMakeLargeSets) {
   for (const std::uint32_t count : {1025u, 1500u, 4096u, 5000u}) {
     const PoissonTable table = make_poisson_table(count, 1);
@@ -84,7 +84,7 @@ TEST(Poisson, TablesAreTheSameEveryTime) {
   EXPECT_NE(a.u, c.u);
 }
 
-// What a packet draws in any pixel and dimension is the table's set, moved exactly.
+// What a packet draws in any pixel and dimension is the table's set, shifted exactly.
 TEST(Poisson, PacketsDrawMaximalSets) {
   for (const std::uint32_t count : {1u, 2u, 3u, 16u, 17u, 64u, 100u}) {
     const float distance = make_poisson_table(count, 9).distance;
@@ -101,7 +101,7 @@ TEST(Poisson, PacketsDrawMaximalSets) {
   }
 }
 
-// The check sees what is wrong: points in jittered cells, a set without one of its points, and one with a moved point.
+// The check notices defects: points in jittered cells, a set without one of its points, and one with a moved point.
 TEST(Poisson, OtherSetsAreToldApart) {
   const PoissonTable table = make_poisson_table(64, 0);
   const double distance = table.distance;

@@ -18,7 +18,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 
 bool same_bits(const Points& a, const Points& b) { return same_bits(a.u, b.u) && same_bits(a.v, b.v); }
 
-// How many values of the one list are also in the other one, in the same place.
+// How many values are the same at the same index of both lists.
 std::size_t equal_values(const std::vector<float>& a, const std::vector<float>& b) {
   std::size_t equal = 0;
   for (std::size_t i = 0; i < a.size(); i++) equal += a[i] == b[i] ? 1 : 0;
@@ -30,7 +30,7 @@ class Purity : public testing::TestWithParam<Pattern> {};
 TEST_P(Purity, SameBitsForEveryInstructionSet) {
   for (const std::uint32_t count : {1u, 2u, 3u, 5u, 7u, 16u, 17u, 50u, 97u, 100u, 1000u, 3000u}) {
     const Frame frame = sampling_frame(GetParam(), count, 9);
-    // Patterns that know their count also in later passes.
+    // For patterns that need the count, later passes too.
     const std::size_t length = needs_count(GetParam()) ? std::size_t{count} + 37 : count;
     for (const auto& [x, y] : {std::pair(0, 0), {40, 50}, {8191, 4095}}) {
       for (std::size_t d = 0; d <= std::size(all_dimensions); d++) {
@@ -45,7 +45,7 @@ TEST_P(Purity, SameBitsForEveryInstructionSet) {
   }
 }
 
-// Asking for fewer points, so that packets end elsewhere, or asking again changes nothing.
+// Requesting fewer points, so that packets end elsewhere, or requesting them again changes nothing.
 TEST_P(Purity, PointsDoNotDependOnHowManyAreWanted) {
   const Frame frame = sampling_frame(GetParam(), 300, 9);
   for (const Dimensions dimensions : all_dimensions) {

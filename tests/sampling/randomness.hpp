@@ -1,5 +1,5 @@
-// How far lists of numbers are from independent uniform ones, each as a standard normal number: what exceeds
-// normal_limit of the count of all numbers looked at (statistics.hpp) is no chance.
+// How far lists of numbers are from independent uniform ones, each measure as a standard normal number: one that
+// exceeds normal_limit of the count of all numbers looked at (statistics.hpp) is not due to chance.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace penumbra::test {
 
-// side x side cells. Numbers outside of [0, 1) count in the nearest cell.
+// Counts in side x side cells. Numbers outside [0, 1) count in the nearest cell.
 inline std::vector<int> cell_counts(const std::vector<float>& u, const std::vector<float>& v, int side = 16) {
   const auto cell = [side](float x) {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(x * static_cast<float>(side)), 0, side - 1));
@@ -55,7 +55,7 @@ inline double dependence(const std::vector<float>& a, const std::vector<float>& 
                   chi_square_deviation(cell_counts(a, b)));
 }
 
-// Between the values of a picture, row by row, and those dx to the right and dy down.
+// Between the values of a picture, row by row, and their neighbours dx to the right and dy down.
 inline double neighbour_dependence(const std::vector<float>& values, int width, int dx, int dy) {
   const int height = static_cast<int>(values.size()) / width;
   std::vector<float> here, there;

@@ -1,5 +1,5 @@
-// The few statistics that the tests of randomness need. A test that looks at many numbers at once passes as a whole for
-// all but one seed in a million: the limit of each is Sidak's.
+// The few statistics that the tests of randomness need. A test that looks at many numbers passes as a whole for all but
+// one seed in a million: the limit for each number is Sidak's.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@ namespace penumbra::test {
 
 inline constexpr double error_rate = 1e-6;
 
-// The limit that a standard normal number exceeds, to one side, with the probability that makes all of `count`
-// independent ones stay below it but for the error rate.
+// The one-sided limit that all of `count` independent standard normal numbers stay below, except with the probability
+// error_rate.
 inline double normal_limit(double count) {
   const double tail = -std::expm1(std::log1p(-error_rate) / count);
   double lo = 0, hi = 20;
@@ -21,7 +21,7 @@ inline double normal_limit(double count) {
   return hi;
 }
 
-// How far the counts are from equal ones, as a standard normal number: Pearson's chi-square by Wilson and Hilferty.
+// How far the counts are from equal, as a standard normal number: Pearson's chi-square by Wilson and Hilferty.
 inline double chi_square_deviation(const std::vector<int>& counts) {
   double total = 0;
   for (const int count : counts) total += count;

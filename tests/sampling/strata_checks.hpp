@@ -1,5 +1,5 @@
 // Whether points are stratified: one in each interval, cell, column, row. Points may be off by the rounding of single
-// precision, so they are sorted into their places instead of counted.
+// precision, so they are sorted and compared with their intervals instead of counted.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace penumbra::test {
 
 inline constexpr double rounding = 0x1p-22;
 
-// Whether the values are one in each of as many equal parts of [0, 1), or off by no more than `slack`.
+// Whether each of as many equal parts of [0, 1) as there are values holds one of them, give or take `slack`.
 inline bool one_in_each_part(std::vector<float> values, double slack = rounding) {
   std::sort(values.begin(), values.end());
   const auto n = static_cast<double>(values.size());
@@ -25,8 +25,8 @@ inline bool one_in_each_part(std::vector<float> values, double slack = rounding)
   return true;
 }
 
-// Whether the square cut into rows, the r-th with cells[r] cells and as high as its share of all cells, has one point
-// in each cell. A point may be off by `slack` to the side.
+// Whether each cell has one point, where the square is cut into rows, the r-th with cells[r] cells and a height that is
+// its share of all cells. A point may be off sideways by `slack`.
 inline bool one_in_each_cell(const Points& points, const std::vector<std::size_t>& cells, double slack = rounding) {
   std::vector<std::size_t> order(points.u.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,5 +1,5 @@
-// What the stratified patterns promise exactly: one point in each interval that they claim. Every check is shown to
-// notice when a few points are elsewhere.
+// What the stratified patterns promise exactly: one point in each of their intervals. Every check is shown to notice a
+// few misplaced points.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,8 +39,8 @@ TEST(Strata, MultijitteredOneInEachColumnAndRow) {
   for_all(Pattern::multijittered, [](const Points& p) { return one_in_each_part(p.u) && one_in_each_part(p.v); });
 }
 
-// A column can reach over the side of a cell, so a point can be off by less than a column; but where all rows are
-// equally long no column does.
+// A column can extend over the side of a cell, so a point can be off by less than a column; where all rows are equally
+// long, no column does.
 TEST(Strata, MultijitteredOneInEachCell) {
   for_all(Pattern::multijittered, [](const Points& p) {
     const auto cells = rows_of_cells(p.u.size());
@@ -61,7 +61,7 @@ TEST(Strata, TimesAreStratified) {
   }
 }
 
-// Every later pass is a set of its own, as good as the first.
+// Every later pass is a set in its own right, as good as the first.
 TEST(Strata, LaterPassesAreStratifiedToo) {
   for (const Pattern pattern : {Pattern::regular, Pattern::jittered, Pattern::multijittered}) {
     for (const std::uint32_t count : {3u, 16u, 50u}) {
@@ -125,13 +125,13 @@ TEST(Halton, LaterPairsAreStratified) {
   }
 }
 
-// --- What the checks would notice. ---
+// --- Defects that the checks notice. ---
 
 Points jittered_points(std::uint32_t count) {
   return points_of(sampling_frame(Pattern::jittered, count, 1), 2, 3, {pixel_x}, count);
 }
 
-// A point of one cell into another one.
+// A point moved from its cell to another.
 TEST(StrataChecks, NoticeOnePointInAForeignCell) {
   for (const std::uint32_t count : {2u, 5u, 50u, 1000u}) {
     Points points = jittered_points(count);
@@ -166,7 +166,7 @@ TEST(StrataChecks, NoticeColumnsOfOtherPoints) {
   }
 }
 
-// Jittered points are in their cells, but not in columns and rows of their own.
+// Jittered points are in their cells, but not one in each column and row.
 TEST(StrataChecks, NoticeJitteredInsteadOfMultijittered) {
   for (const std::uint32_t count : {16u, 50u, 1000u}) {
     EXPECT_FALSE(one_in_each_part(jittered_points(count).u)) << count;
@@ -197,7 +197,7 @@ TEST(StrataChecks, NoticeNumbersThatAreNone) {
   EXPECT_FALSE(one_in_each_part({-0.001f}));
 }
 
-// Plain jittered times leave gaps of nothing and of two strata.
+// Plain jittered times leave gaps between 0 and two strata.
 TEST(StrataChecks, NoticeUnevenSpacing) {
   EXPECT_TRUE(evenly_spaced({0.1f, 0.35f, 0.6f, 0.85f}));
   EXPECT_FALSE(evenly_spaced({0.1f, 0.35f, 0.6f, 0.75f}));

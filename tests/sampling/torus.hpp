@@ -1,4 +1,4 @@
-// Checks of point sets on the unit torus: how near the nearest two are, and whether a distance covers every place.
+// Checks of point sets on the unit torus: the distance of the nearest two, and whether every place is near a point.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline double least_distance(const std::vector<TorusPoint>& points) {
 }
 
 // Whether every place of the square around `centre` is within `distance` of a point, proved by squares that lie wholly
-// within the distance of one point. Only places within 2^-24 of the limit stay undecided, and count as not covered.
+// within that distance of one point. Only places within 2^-24 of the limit stay undecided, and count as not covered.
 inline bool is_covered(const std::vector<TorusPoint>& points, double distance, TorusPoint centre = {0.5, 0.5},
                        double half = 0.5) {
   const double reach = half * std::sqrt(2.0);

@@ -1,6 +1,6 @@
 // Every sample point is uniform over the square: any point of any pattern in any dimension, over many seeds and pixels.
-// All limits leave one seed in a million to chance, over all numbers that a test looks at (statistics.hpp), for each
-// pattern.
+// For each pattern, all limits leave one seed in a million to chance, over all numbers that a test looks at
+// (statistics.hpp).
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,7 +15,7 @@ constexpr std::size_t dimension_count = std::size(all_dimensions);
 
 class Uniformity : public testing::TestWithParam<Pattern> {
  protected:
-  // Certain points of every pixel, each pixel with a seed of its own.
+  // The points with these indices of every pixel, each pixel with its own seed.
   static std::vector<Points> points_of_seeds(std::uint32_t count, Dimensions dimensions,
                                              const std::vector<std::size_t>& indices, int seeds) {
     Frame frame = sampling_frame(GetParam(), count, 1);
@@ -59,7 +59,7 @@ TEST_P(Uniformity, OfSinglePointsOverSeeds) {
   }
 }
 
-// All points of one set together, for the mean is what a picture shows.
+// All points of one set together, because a picture shows their mean.
 TEST_P(Uniformity, OfAllPointsOfOneSeed) {
   constexpr int size = scaled(64, 16);
   const double limit = normal_limit(dimension_count * numbers_of_square);
@@ -71,7 +71,7 @@ TEST_P(Uniformity, OfAllPointsOfOneSeed) {
       all.u.insert(all.u.end(), p.u.begin(), p.u.end());
       all.v.insert(all.v.end(), p.v.begin(), p.v.end());
     }
-    // Points that are spread better than random ones only come out smaller.
+    // Points that are spread better than random ones only give smaller values.
     EXPECT_LT(unevenness(all), limit) << dimensions.first;
   }
 }
@@ -95,7 +95,7 @@ TEST(Regular, IgnoresPixelAndSeed) {
   }
 }
 
-// --- What the checks would notice, within the same limits. ---
+// --- Defects that the checks notice, within the same limits. ---
 
 Points truly_random(int count, unsigned seed) {
   std::mt19937 random(seed);
@@ -115,13 +115,13 @@ class UniformityChecks : public testing::Test {
 
 TEST_F(UniformityChecks, PassRandomNumbers) { EXPECT_LT(unevenness(points), limit); }
 
-// 1 % more on one half of the square than on the average, 1 % less on the other.
+// 1 % more than average on one half of the square, 1 % less on the other.
 TEST_F(UniformityChecks, NoticeOnePercentMoreOnOneSide) {
   for (float& u : points.u) u = u < 0.505f ? u / 1.01f : 0.5f + (u - 0.505f) / 0.99f;
   EXPECT_GT(unevenness(points), limit);
 }
 
-// 1 % more in the four quarters of a chess board: each dimension by itself is uniform.
+// 1 % more in two opposite quarters of the square, less in the others: each dimension by itself is uniform.
 TEST_F(UniformityChecks, NoticeOnePercentMoreInOppositeQuarters) {
   for (std::size_t i = 0; i < points.u.size(); i++) {
     const float half = points.u[i] < 0.5f ? 0.505f : 0.495f;

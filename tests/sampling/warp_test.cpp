@@ -44,7 +44,7 @@ TEST(Warps, DiskIsUniform) {
     const double r2 = double{x[i]} * x[i] + double{y[i]} * y[i];
     ASSERT_LE(r2, 1 + 1e-6);
     counts[cell(r2, 16) * 16 + cell(turns(y[i], x[i]), 16)]++;
-    // The square inside the disk once more, in cells of x and y.
+    // The square inside the disk again, in cells of x and y.
     const double side = 2 * std::numbers::sqrt2 / 2;
     const double sx = x[i] / side + 0.5, sy = y[i] / side + 0.5;
     if (sx < 0 || sx >= 1 || sy < 0 || sy >= 1) continue;

@@ -21,6 +21,6 @@ printf 'sphere {1 / } 0 0 -3\n' > broken.cli
 "$1" render good.cli -o good.exr --quiet --rays 1
 head -c 2000 good.exr > half.exr
 expect 0 'result  *same' "$1" compare good.exr good.exr
-expect 4 '`half.exr` is not a good EXR file: ' "$1" compare good.exr half.exr
+expect 4 '`half.exr` is not a valid EXR file: ' "$1" compare good.exr half.exr
 expect 65 'infinite.cli:1:8: ' "$1" check infinite.cli
 expect 65 'broken.cli:1:9: ' "$1" check broken.cli

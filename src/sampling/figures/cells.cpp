@@ -25,7 +25,7 @@ EqualCells::EqualCells(std::size_t n)
       long_rows_(n % rows_) {}
 
 std::size_t EqualCells::cell_of(const PlanePoint& point) const {
-  // The rows begin at whole multiples of 1/n, so the interval of y tells the row.
+  // Rows begin at multiples of 1/n, so the interval of y determines the row.
   const std::size_t interval = part_of(point.y, n_);
   std::size_t row = interval / (columns_ + 1);
   while (first_of_row(row + 1) <= interval) row++;

@@ -1,5 +1,5 @@
 // Counts of points in cells of equal area. The lecture on jittered samples says that they "may leave large areas
-// uncovered" and "may have some areas with more samples than necessary": that is the emptiest and the fullest cell.
+// uncovered" and "may have some areas with more samples than necessary": see the emptiest and the fullest cell.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace penumbra {
 
-// n cells of area 1/n: round(sqrt(n)) rows; the first, as many as the remainder, have one cell more than the others and
-// are higher by as much. With a square number of points that is the grid of squares.
+// n cells of area 1/n: round(sqrt(n)) rows; the first n % rows of them have one cell more than the others and are
+// proportionally higher. For a square number of points this is the grid of squares.
 class EqualCells {
  public:
   explicit EqualCells(std::size_t n);
@@ -21,7 +21,7 @@ class EqualCells {
   std::size_t rows() const { return rows_; }
   std::size_t first_of_row(std::size_t row) const { return row * columns_ + std::min(row, long_rows_); }
   std::size_t columns(std::size_t row) const { return first_of_row(row + 1) - first_of_row(row); }
-  // Where a row begins; the end of the last is 1.
+  // Where a row begins; the last one ends at 1.
   double top_of_row(std::size_t row) const { return static_cast<double>(first_of_row(row)) / static_cast<double>(n_); }
   std::size_t cell_of(const PlanePoint& point) const;
 
@@ -36,10 +36,10 @@ struct CellCounts {
   int empty = 0;                  // cells without a point
 };
 
-// n points in n equal cells.
+// Counts n points in n equal cells.
 CellCounts count_in_cells(std::span<const PlanePoint> points);
 
-// n numbers of [0, 1) in n equal intervals.
+// Counts n numbers of [0, 1) in n equal intervals.
 CellCounts count_in_intervals(std::span<const double> values);
 
 }  // namespace penumbra

@@ -15,7 +15,7 @@ struct Edge {
   double area;
 };
 
-// Edges through uniform points of the square in uniform directions; the same ones every time.
+// Edges through uniform points of the square in uniform directions, the same ones every time.
 std::vector<Edge> random_edges() {
   std::mt19937 bits(1);
   const auto fraction = [&bits] { return (static_cast<double>(bits()) + 0.5) * 0x1p-32; };
@@ -44,7 +44,7 @@ double edge_error(const std::vector<PlanePoint>& points, const Edge& edge) {
   return static_cast<double>(inside) / static_cast<double>(points.size()) - edge.area;
 }
 
-// Slope of the line of least squares through (0, y[0]), (1, y[1]), ...
+// Slope of the least-squares line through (0, y[0]), (1, y[1]), ...
 double slope(const std::vector<double>& y) {
   const double middle = (static_cast<double>(y.size()) - 1) / 2;
   double xy = 0, xx = 0;
@@ -69,7 +69,7 @@ double area_in_unit_square(HalfPlane half_plane) {
     c -= b;
     b = -b;
   }
-  // The triangle below the edge in the quadrant, less what is beyond x = 1 and y = 1, plus what is beyond both.
+  // The triangle below the edge in the quadrant, less the parts beyond x = 1 and y = 1, plus the part beyond both.
   const auto square = [](double x) { return x > 0 ? x * x : 0.0; };
   return (square(c) - square(c - a) - square(c - b) + square(c - a - b)) / (2 * a * b);
 }
@@ -88,7 +88,7 @@ Convergence measure_convergence(const PatternSource& source, int replicates) {
         edge_sum += e * e;
       }
     }
-    // An error of nothing at all would have no logarithm.
+    // An error of exactly 0 has no logarithm.
     smooth.push_back(std::log2(std::max(smooth_sum / replicates, 1e-300)));
     edgy.push_back(std::log2(std::max(edge_sum / replicates / half_plane_count, 1e-300)));
   }

@@ -14,7 +14,7 @@ std::vector<PlanePoint> in_order_of_x(std::span<const PlanePoint> points) {
   return sorted;
 }
 
-// Sums over the entries 0 .. i-1 of a list that grows by additions, in O(log n) each (Fenwick 1994).
+// Sums over the entries 0..i-1 of a list to which values are added, in O(log n) each (Fenwick 1994).
 class PrefixSums {
  public:
   explicit PrefixSums(std::size_t size) : sums_(size + 1) {}
@@ -32,8 +32,8 @@ class PrefixSums {
   std::vector<double> sums_;
 };
 
-// The double sum of Warnock's formula. In the order of x the larger x of a pair is the later one's; which y is larger
-// is asked of sums in the order of y.
+// The double sum of Warnock's formula. In order of x, the later point of a pair has the larger x; sums in order of y
+// account for the larger y.
 double sum_over_pairs(std::span<const PlanePoint> points) {
   const std::vector<PlanePoint> sorted = in_order_of_x(points);
   std::vector<double> heights;
@@ -66,7 +66,7 @@ double l2_star_discrepancy(std::span<const PlanePoint> points) {
 double star_discrepancy(std::span<const PlanePoint> points) {
   const std::vector<PlanePoint> sorted = in_order_of_x(points);
   const double share = 1 / static_cast<double>(sorted.size());
-  std::vector<double> heights = {0, 1};  // of the first l points, with the ends
+  std::vector<double> heights = {0, 1};  // of the first l points, with the ends 0 and 1
   double largest = 0;
   for (std::size_t l = 0; l <= sorted.size(); l++) {
     const double left = l == 0 ? 0 : sorted[l - 1].x;

@@ -10,7 +10,7 @@
 namespace penumbra {
 namespace {
 
-// The points in square cells, about one point in each, which repeat over the whole plane.
+// Sorts the points into square cells, about one point in each; the cells repeat over the whole plane.
 class TorusGrid {
  public:
   explicit TorusGrid(std::span<const PlanePoint> points)
@@ -22,8 +22,8 @@ class TorusGrid {
     }
   }
 
-  // Calls f(j, dx, dy) for the points j, and their copies, in the ring of cells that are `ring` cells away from that of
-  // point i; (dx, dy) is the way from i to j. No point of a ring is nearer than `distance_of(ring)`.
+  // Calls f(j, dx, dy) for the points j, and their copies, in the ring of cells `ring` cells away from the cell of
+  // point i; (dx, dy) is the offset from i to j. No point of the ring is nearer than `distance_of(ring)`.
   template <typename F>
   void visit_ring(std::size_t i, long ring, F&& f) const {
     const long cx = cell(points_[i].x), cy = cell(points_[i].y);
@@ -55,7 +55,7 @@ class TorusGrid {
 // A convex polygon around the origin.
 using Polygon = std::vector<PlanePoint>;
 
-// What of the polygon is nearer to the origin than to (dx, dy).
+// Keeps the part of the polygon that is nearer to the origin than to (dx, dy).
 void cut_by_bisector(Polygon& polygon, double dx, double dy) {
   const double limit = (dx * dx + dy * dy) / 2;
   const auto beyond = [&](const PlanePoint& p) { return p.x * dx + p.y * dy - limit; };
@@ -82,7 +82,7 @@ PlanePoint farthest_corner(const Polygon& polygon) {
   });
 }
 
-// The corner of the Voronoi cell of point i that is farthest from it, as the way there. A point beyond twice the way
+// The corner of the Voronoi cell of point i that is farthest from it, as an offset. A point more than twice as far away
 // cannot cut the cell.
 PlanePoint farthest_corner_of_cell(const TorusGrid& grid, std::size_t i) {
   Polygon polygon = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};

@@ -1,6 +1,6 @@
-// How evenly points are spread over the unit square with its edges joined (the torus, for the pattern of a pixel meets
-// its like at the edges): the smallest distance of two points, and the largest circle that holds none. Both are exact
-// but for rounding. The best that n points can do is the hexagonal lattice, with cells of area 1/n.
+// How evenly points are spread over the unit square with opposite edges joined (a torus, because the pattern of a pixel
+// meets similar ones there): the smallest distance between two points, and the largest circle that contains none, both
+// exact but for rounding. The best arrangement of n points is the hexagonal lattice, with cells of area 1/n.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct ClosestPair {
   std::size_t a = 0, b = 0;
 };
 
-// The two points with the smallest distance on the torus; a single point has distance 1, that to its own copies.
+// The two closest points on the torus; a single point has distance 1, that to its own copies.
 ClosestPair closest_pair(std::span<const PlanePoint> points);
 
 struct EmptyCircle {
@@ -23,15 +23,15 @@ struct EmptyCircle {
   PlanePoint centre;
 };
 
-// The largest circle on the torus with no point inside. Its centre is the corner of a Voronoi cell: each cell is cut
-// out of the square around its point by the bisectors to all points that are near enough to matter.
+// The largest circle on the torus with no point inside. Its centre is a corner of a Voronoi cell: each cell is cut out
+// of the square around its point by the bisectors to all points that are near enough to matter.
 EmptyCircle largest_empty_circle(std::span<const PlanePoint> points);
 
-// No n points on the torus have a larger smallest distance: sqrt(2 / (sqrt(3) n)), the densest packing.
+// The smallest distance of n points on the torus is at most sqrt(2 / (sqrt(3) n)), that of the densest packing.
 double largest_possible_distance(std::size_t n);
 
-// No n points on the torus leave all empty circles smaller: sqrt(2 / (3 sqrt(3) n)), the thinnest covering (Kershner
-// 1939).
+// The largest empty circle of n points on the torus has at least the radius sqrt(2 / (3 sqrt(3) n)), that of the
+// thinnest covering (Kershner 1939).
 double smallest_possible_circle(std::size_t n);
 
 }  // namespace penumbra

@@ -9,7 +9,7 @@
 namespace penumbra {
 namespace {
 
-// Points that are added in one go, so that the sums are fetched once for all of them.
+// Points added together, so that the sums are fetched once for all of them.
 constexpr std::size_t block = 8;
 
 // Cosines and sines of 2 pi f x for f = 0 .. size-1, one row for each point of a block.
@@ -17,7 +17,7 @@ struct Waves {
   explicit Waves(std::size_t size_) : size(size_), cosines(block * size_), sines(block * size_) {}
 
   void set(std::size_t point, double x) {
-    // The products of a recurrence in double are exact enough for float tables.
+    // A recurrence in double precision is accurate enough for float tables.
     const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * x);
     std::complex<double> wave = 1;
     for (std::size_t f = 0; f < size; f++) {
@@ -63,8 +63,8 @@ std::size_t Spectrum::place(int fx, int fy) const {
 }
 
 void Spectrum::add(std::span<const PlanePoint> points) {
-  // The wave of a point is a product of one of x and one of y, so that four real sums of products, over fx and fy of 0
-  // and more, give the frequencies (fx, fy) and (-fx, fy).
+  // The wave of a point is the product of a wave in x and one in y, so four real sums of products over fx, fy >= 0 give
+  // the frequencies (fx, fy) and (-fx, fy).
   const std::size_t size = static_cast<std::size_t>(limit_) + 1;
   std::vector<float> cc(size * size), cs(size * size), sc(size * size), ss(size * size);
   Waves x(size), y(size);

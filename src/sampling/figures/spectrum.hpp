@@ -1,7 +1,7 @@
 // The power spectrum of sample points, after Ulichney, "Digital halftoning" (1987), and Lagae and Dutre, "A comparison
 // of methods for generating Poisson disk distributions" (2008): the periodogram
 //   P(f) = |sum_j exp(-2 pi i f.x_j)|^2 / n
-// at whole frequencies, averaged over several realizations of the pattern. Independent random points have P = 1
+// at integer frequencies, averaged over several realizations of the pattern. Independent random points have P = 1
 // everywhere (white noise).
 #pragma once
 
@@ -17,7 +17,7 @@ class Spectrum {
   // Frequencies of -limit .. limit in x and y.
   explicit Spectrum(int limit);
 
-  // One more realization. Takes O(n limit^2).
+  // Adds one realization. Takes O(n limit^2).
   void add(std::span<const PlanePoint> points);
 
   int limit() const { return limit_; }
@@ -26,7 +26,7 @@ class Spectrum {
   // P at one frequency, the mean over the realizations so far; n at frequency 0.
   double power(int fx, int fy) const;
 
-  // The mean over the ring of frequencies with |f| nearest to k, at [k] for k = 1 .. limit; [0] is left 0.
+  // Element k = 1 .. limit is the mean over the ring of frequencies with |f| nearest to k; element 0 is 0.
   std::vector<double> radial() const;
 
  private:

@@ -94,7 +94,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "shadow_rays"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
-  EXPECT_EQ(all_commands().size(), 63u);
+  EXPECT_EQ(all_commands().size(), 65u);
 }
 
 // Every command has an error for one argument too many and, if it takes any, for one too few.

@@ -155,9 +155,14 @@ class Collection {
   }
 
   int check_scene() const {
-    const bool course = std::count(job_.options.begin(), job_.options.end(), "--course") > 0;
-    const bool lenient = std::count(job_.options.begin(), job_.options.end(), "--lenient") > 0;
-    ReadOptions options{.course = course, .lenient = lenient, .hash = true};
+    PictureOptions asked;
+    constexpr std::string_view course = "--course";
+    for (const std::string& word : job_.options) {
+      if (word == course) asked.course = Course::any_year;
+      if (word.starts_with("--course=")) asked.course = course_of_year(word.substr(course.size() + 1));
+      if (word == "--lenient") asked.lenient = true;
+    }
+    ReadOptions options{.course = asked.course, .lenient = asked.lenient, .hash = true};
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {

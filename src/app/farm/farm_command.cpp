@@ -54,10 +54,10 @@ std::string take_partition(FarmSubmitOptions& options, std::string_view name) {
 
 // The same option, which also keeps its words as they were given, under the name that `render` knows.
 CommandOption keeping_words(CommandOption option, const std::string& name, std::vector<std::string>& words) {
-  const bool is_flag = option.metavar.empty();
-  option.take = [take = std::move(option.take), name, is_flag, &words](std::string_view text) {
-    words.push_back(name);
-    if (!is_flag) words.emplace_back(text);
+  const bool is_flag = option.metavar.empty(), follows_equals = option.times == Times::equals_optional;
+  option.take = [take = std::move(option.take), name, is_flag, follows_equals, &words](std::string_view text) {
+    words.push_back(follows_equals && !text.empty() ? fmt::format("{}={}", name, text) : name);
+    if (!is_flag && !follows_equals) words.emplace_back(text);
     return take(text);
   };
   return option;

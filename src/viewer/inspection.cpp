@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "picture/metadata.hpp"
+#include "picture/option_table.hpp"
 #include "picture/ray_tree_text.hpp"
 
 namespace penumbra {
@@ -104,7 +105,8 @@ std::string command_for(const Refinement& picture, const RefinedSide& side, cons
   std::string command = "penumbra render " + quoted(picture.loaded->path.string());
   for (const auto& [key, value] : metadata_for(picture.loaded->path, scene, options)) {
     if (key == "scene" || key == "version") continue;
-    command += value == "yes" ? " --" + key : fmt::format(" --{} {}", key, value);
+    const char join = option_named(key).value_is_optional ? '=' : ' ';
+    command += value == "yes" ? " --" + key : fmt::format(" --{}{}{}", key, join, value);
   }
   return command + fmt::format(" --debug-pixel {},{},{}", at.x, at.y, at.sample);
 }

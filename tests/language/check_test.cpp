@@ -108,7 +108,9 @@ TEST(Check, hasAnExitCodeForEachCase) {
   EXPECT_EQ(result.code, 65);
   EXPECT_EQ(result.out, "");
   EXPECT_NE(result.errors.find(":3:1: error: `torus` is a command that only other programs know\n"), std::string::npos);
-  result = check({.scene = path, .lenient = true});
+  CheckOptions lenient{.scene = path};
+  lenient.picture.lenient = true;
+  result = check(lenient);
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
 

@@ -72,7 +72,7 @@ TEST(Course, Of2018HasItsOwnOrders) {
   EXPECT_EQ(surface.specular, (Vec3{.7, .8, .9}));
   EXPECT_EQ(surface.specular_power, 20);
   EXPECT_EQ(surface.reflection, .25);
-  const auto& sphere = *shape_of<Sphere>(scene.root.objects.at(0));
+  const auto& sphere = shape_of<Sphere>(scene.root.objects.at(0));
   EXPECT_EQ(sphere.center, (Vec3{1, 2, -3}));
   EXPECT_EQ(sphere.radius, 4);
 }

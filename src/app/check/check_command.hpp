@@ -12,7 +12,7 @@ namespace penumbra {
 
 struct CheckOptions {
   std::string scene;
-  PictureOptions picture;  // of these, `course` and `lenient`
+  PictureOptions picture = {};  // of these, `course` and `lenient`
 };
 
 // The subcommand `check`; its options fill `options`, which has to outlive it.

@@ -53,7 +53,7 @@ TEST_F(NoiseOption, WritesWhereTheRaysWent) {
 
 TEST_F(NoiseOption, SaysThatTheMostRaysWereNotEnough) {
   ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_}), 0);
-  EXPECT_NE(printed_.find("of 400 pixels got the most rays, 32,"), std::string::npos) << printed_;
+  EXPECT_NE(printed_.find("of 400 pixels got the maximum of 32 rays"), std::string::npos) << printed_;
   ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_, "--quiet"}), 0);
   EXPECT_EQ(printed_, "");
 }

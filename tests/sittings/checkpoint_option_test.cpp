@@ -95,9 +95,9 @@ TEST_F(CheckpointOption, WithoutResumeItBeginsAnew) {
   const std::string whole = unbroken(arguments).first;
   begin(long_render_);
   EXPECT_EQ(run(Words{"render", scene_, "-o", picture_, "--checkpoint", checkpoint_} + arguments), 0);
-  EXPECT_NE(said().find("warning: rendering from the beginning, as there is no --resume: `" + checkpoint_ +
-                        "` will be replaced"),
-            std::string::npos)
+  EXPECT_NE(
+      said().find("warning: rendering from the beginning, without --resume: `" + checkpoint_ + "` will be replaced"),
+      std::string::npos)
       << said();
   EXPECT_TRUE(content_of(picture_) == whole);
 }
@@ -110,7 +110,7 @@ TEST_F(CheckpointOption, WithNothingToResumeItBeginsAtTheBeginning) {
 // Whatever the user names by mistake stays what it is.
 TEST_F(CheckpointOption, ReplacesNothingButCheckpoints) {
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", scene_}), 73);
-  EXPECT_NE(said().find("there is a file of another kind in its place"), std::string::npos) << said();
+  EXPECT_NE(said().find("a file of another kind has that name"), std::string::npos) << said();
   EXPECT_EQ(content_of(scene_), scene_text(16));
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", folder_.path().string()}), 73);
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", "/dev/null"}), 73);

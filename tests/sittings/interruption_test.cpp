@@ -98,7 +98,7 @@ TEST_F(Interrupted, ByTheTimeLimit) {
   int sittings = 1;
   for (int code; (code = render(limited)) != 0; sittings++) {
     ASSERT_EQ(code, 75) << said();
-    EXPECT_EQ(said(), "penumbra: the time limit is reached: the same command with --resume goes on from `" +
+    EXPECT_EQ(said(), "penumbra: the time limit is reached: the same command with --resume continues from `" +
                           checkpoint_ + "`\n");
     ASSERT_LT(sittings, 200);
   }
@@ -109,7 +109,7 @@ TEST_F(Interrupted, ByTheTimeLimit) {
 
 TEST_F(Interrupted, WithoutACheckpointThereIsThePicture) {
   EXPECT_EQ(render({"--rays", "1000000", "--time-limit", "0.5", "-o", picture_}), 75);
-  EXPECT_EQ(said(), "penumbra: the time limit is reached: what is written is not finished\n");
+  EXPECT_EQ(said(), "penumbra: the time limit is reached: the picture is not finished\n");
   EXPECT_EQ(read_image(picture_).image.width, 53);
 }
 

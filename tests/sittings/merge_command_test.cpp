@@ -52,7 +52,7 @@ TEST_F(Merge, DevelopsAsTheSingleRenderDoes) {
 TEST_F(Merge, ManyFilesAtOnce) {
   const Words parts = shards(2, {});
   EXPECT_EQ(run(Words{"merge", "-o", picture_, "-o", path("picture.png")} + parts), 0);
-  EXPECT_NE(said().find("picture.png: 53x37 pixels, of 2 parts"), std::string::npos) << said();
+  EXPECT_NE(said().find("picture.png: 53x37 pixels, from 2 parts"), std::string::npos) << said();
   EXPECT_TRUE(std::filesystem::exists(picture_));
 }
 
@@ -82,7 +82,7 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
 
   const std::string whole = content_of(good[1]);
   put_content(good[1], whole.substr(0, whole.size() - 100));
-  EXPECT_NE(complaint(good).find("penumbra: `" + good[1] + "` is a torn part of a picture: its end is missing\n"),
+  EXPECT_NE(complaint(good).find("penumbra: `" + good[1] + "` is a truncated part of a picture: its end is missing\n"),
             std::string::npos);
   std::string damaged = whole;
   damaged[damaged.size() - 1000] ^= 1;

@@ -18,12 +18,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(error.exit_code == 65 && std::string_view(error.what()).starts_with("`p` is "));
     return 0;
   }
-  const std::vector<std::string> complaints = complaints_about(parts);
-  require(complaints.empty() == (parts[0].header().shard.count == 1));
+  const std::vector<std::string> problems = problems_of(parts);
+  require(problems.empty() == (parts[0].header().shard.count == 1));
   parts.push_back(parts[0]);
-  require(!complaints_about(parts).empty());
+  require(!problems_of(parts).empty());
   parts.pop_back();
-  if (!complaints.empty()) return 0;
+  if (!problems.empty()) return 0;
   Film film = merge(parts);
   const PixelRect crop = film.crop();
   try {

@@ -67,7 +67,7 @@ class WorldBuilder {
   void build_group(std::uint32_t group, const std::vector<Object>& objects) {
     GroupParts parts;
     for (const Object& object : objects) add(parts, object, {});
-    deal_triangles(parts);
+    distribute_triangles(parts);
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
     bool has_nested = false;
@@ -142,7 +142,7 @@ class WorldBuilder {
   template <AnalyticShape Shape>
   void place_shape(GroupParts& parts, const Shape& shape, std::uint32_t surface, const Affine& m, Vec3 motion) {
     world_.shape_count++;
-    note_texture(surface);
+    remember_texture(surface);
     const std::optional<Shape> moved = mapped(m, shape);
     Leaf leaf(leaf_of(moved ? *moved : shape));
     leaf.target = surface;
@@ -152,7 +152,9 @@ class WorldBuilder {
     add_leaf(parts, leaf, transformed_bounds(m, shape), motion, placed_cost, reach);
   }
 
-  void note_texture(std::uint32_t surface) { world_.has_textures |= scene_.surfaces[surface].texture != Texture::none; }
+  void remember_texture(std::uint32_t surface) {
+    world_.has_textures |= scene_.surfaces[surface].texture != Texture::none;
+  }
 
   std::uint32_t add_placement(const Affine& m) {
     world_.placements.push_back(make_placement(m));
@@ -178,7 +180,7 @@ class WorldBuilder {
 
   void add_triangles(GroupParts& parts, TriangleRange range, std::uint32_t surface, Vec3 motion) {
     world_.triangle_count += range.count;
-    note_texture(surface);
+    remember_texture(surface);
     const std::uint32_t order = parts.order;
     parts.order += range.count;
     if (motion == Vec3{}) {
@@ -193,7 +195,7 @@ class WorldBuilder {
   // Joins the small static runs that follow each other; what is long then goes to Embree, the rest to our BVH. A long
   // run is an Embree scene of its own: at equal distance Embree's rounding would decide inside one scene, we do between
   // two.
-  void deal_triangles(GroupParts& parts) {
+  void distribute_triangles(GroupParts& parts) {
     const auto is_long = [&](std::uint64_t count) { return count >= options_.embree_threshold; };
     for (std::size_t begin = 0; begin < parts.runs.size();) {
       std::size_t end = begin + 1;

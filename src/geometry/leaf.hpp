@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "geometry/shapes/box.hpp"
+#include "geometry/shapes/cone.hpp"
 #include "geometry/shapes/cylinder.hpp"
 #include "geometry/shapes/sphere.hpp"
 #include "geometry/shapes/triangle.hpp"
@@ -12,7 +13,7 @@
 namespace penumbra {
 
 // A mesh and an instance stand for more than one shape.
-enum class LeafKind : std::uint8_t { sphere, box, cylinder, triangle, mesh, instance };
+enum class LeafKind : std::uint8_t { sphere, box, cylinder, cone, triangle, mesh, instance };
 
 inline constexpr std::uint32_t no_placement = 0xffffffffu;
 
@@ -29,12 +30,14 @@ struct Leaf {
     LeafSphere sphere = {};
     LeafBox box;
     LeafCylinder cylinder;
+    LeafCone cone;
     LeafTriangle triangle;
   };
 
   explicit Leaf(const LeafSphere& s) : kind(LeafKind::sphere), sphere(s) {}
   explicit Leaf(const LeafBox& b) : kind(LeafKind::box), box(b) {}
   explicit Leaf(const LeafCylinder& c) : kind(LeafKind::cylinder), cylinder(c) {}
+  explicit Leaf(const LeafCone& c) : kind(LeafKind::cone), cone(c) {}
   explicit Leaf(const LeafTriangle& t) : kind(LeafKind::triangle), triangle(t) {}
   explicit Leaf(LeafKind nested) : kind(nested) {}
 
@@ -56,6 +59,8 @@ PENUMBRA_INLINE auto with_shape(const Leaf& leaf, Visit visit) {
       return visit(leaf.box);
     case LeafKind::cylinder:
       return visit(leaf.cylinder);
+    case LeafKind::cone:
+      return visit(leaf.cone);
     case LeafKind::triangle:
       return visit(leaf.triangle);
     case LeafKind::mesh:

@@ -38,7 +38,7 @@ std::string_view strokes_of(char character) {
   }
 }
 
-double distance_to_segment(double x, double y, Canvas::Place a, Canvas::Place b) {
+double distance_to_segment(double x, double y, Canvas::Point a, Canvas::Point b) {
   const double dx = b.first - a.first, dy = b.second - a.second;
   const double squared = dx * dx + dy * dy;
   const double along = (x - a.first) * dx + (y - a.second) * dy;
@@ -55,7 +55,7 @@ Canvas::Canvas(int width, int height, const Color& background)
 
 // Calls f with each pixel that may be nearer than `reach`, and the distance of its centre.
 template <typename F>
-void Canvas::around(Place centre, double reach, F&& f) {
+void Canvas::around(Point centre, double reach, F&& f) {
   const auto [cx, cy] = centre;
   const int left = std::max(clip_.x0, static_cast<int>(std::floor(cx - reach - 1)));
   const int right = std::min(clip_.x1, static_cast<int>(std::ceil(cx + reach + 1)));
@@ -76,28 +76,28 @@ void Canvas::blend(int x, int y, const Color& color, double depth) {
 
 void Canvas::pixel(int x, int y, const Color& color) { blend(x, y, color, 1); }
 
-void Canvas::disk(Place centre, double radius, const Color& color) {
+void Canvas::disk(Point centre, double radius, const Color& color) {
   around(centre, radius, [&](int x, int y, double distance) { blend(x, y, color, radius - distance); });
 }
 
-void Canvas::ring(Place centre, double radius, double width, const Color& color) {
+void Canvas::ring(Point centre, double radius, double width, const Color& color) {
   around(centre, radius + width / 2,
          [&](int x, int y, double distance) { blend(x, y, color, width / 2 - std::abs(distance - radius)); });
 }
 
-void Canvas::curve(const std::vector<Place>& places, double width, const Color& color) {
-  if (places.empty()) return;
+void Canvas::curve(const std::vector<Point>& points, double width, const Color& color) {
+  if (points.empty()) return;
   // First the distance to the nearest segment, so that joints are not painted twice.
   const double reach = width / 2 + 1;
-  const auto bounds_of = [&](const Place& a, const Place& b) {
+  const auto bounds_of = [&](const Point& a, const Point& b) {
     return PixelRect{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),
                      std::max(clip_.y0, static_cast<int>(std::floor(std::min(a.second, b.second) - reach))),
                      std::min(clip_.x1, static_cast<int>(std::ceil(std::max(a.first, b.first) + reach))),
                      std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
   };
-  PixelRect all = bounds_of(places[0], places[0]);
-  for (const Place& place : places) {
-    const PixelRect window = bounds_of(place, place);
+  PixelRect all = bounds_of(points[0], points[0]);
+  for (const Point& place : points) {
+    const PixelRect window = bounds_of(place, point);
     all = {std::min(all.x0, window.x0), std::min(all.y0, window.y0), std::max(all.x1, window.x1),
            std::max(all.y1, window.y1)};
   }
@@ -107,8 +107,8 @@ void Canvas::curve(const std::vector<Place>& places, double width, const Color& 
     return nearest[static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
                    static_cast<std::size_t>(x - all.x0)];
   };
-  for (std::size_t i = 0; i < places.size(); i++) {
-    const Place &a = places[i > 0 ? i - 1 : 0], &b = places[i];
+  for (std::size_t i = 0; i < points.size(); i++) {
+    const Point &a = points[i > 0 ? i - 1 : 0], &b = points[i];
     const PixelRect window = bounds_of(a, b);
     for (int y = window.y0; y < window.y1; y++) {
       for (int x = window.x0; x < window.x1; x++) {
@@ -121,12 +121,12 @@ void Canvas::curve(const std::vector<Place>& places, double width, const Color& 
   }
 }
 
-void Canvas::number(Place centre, double height, std::string_view text, const Color& color) {
+void Canvas::number(Point centre, double height, std::string_view text, const Color& color) {
   const double unit = height / 6, advance = 6 * unit;
   double left = centre.first - (advance * static_cast<double>(text.size()) - 2 * unit) / 2;
   const double top = centre.second - height / 2;
   for (const char character : text) {
-    std::vector<Place> stroke;
+    std::vector<Point> stroke;
     const std::string_view strokes = strokes_of(character);
     for (std::size_t i = 0; i < strokes.size(); i++) {
       if (strokes[i] == ' ') {

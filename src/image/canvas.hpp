@@ -15,7 +15,7 @@ namespace penumbra {
 class Canvas {
  public:
   using Color = std::array<float, 3>;
-  using Place = std::pair<double, double>;
+  using Point = std::pair<double, double>;
 
   Canvas(int width, int height, const Color& background);
 
@@ -24,21 +24,21 @@ class Canvas {
   void clip_to_all() { clip_ = {0, 0, image_.width, image_.height}; }
 
   void pixel(int x, int y, const Color& color);
-  void disk(Place centre, double radius, const Color& color);
-  void ring(Place centre, double radius, double width, const Color& color);
-  void line(Place from, Place to, double width, const Color& color) { curve({from, to}, width, color); }
+  void disk(Point centre, double radius, const Color& color);
+  void ring(Point centre, double radius, double width, const Color& color);
+  void line(Point from, Point to, double width, const Color& color) { curve({from, to}, width, color); }
   // Lines from each place to the next, with round joints, as one shape.
-  void curve(const std::vector<Place>& places, double width, const Color& color);
+  void curve(const std::vector<Point>& points, double width, const Color& color);
 
   // Digits, `.` and `-`, `height` pixels high, with the middle of the text at `centre`; other characters are blank.
-  void number(Place centre, double height, std::string_view text, const Color& color);
+  void number(Point centre, double height, std::string_view text, const Color& color);
 
   Image take() { return std::move(image_); }
 
  private:
   void blend(int x, int y, const Color& color, double depth);
   template <typename F>
-  void around(Place centre, double reach, F&& f);
+  void around(Point centre, double reach, F&& f);
 
   Image image_;
   PixelRect clip_;

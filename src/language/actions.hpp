@@ -35,6 +35,7 @@ void shadow_rays(Reading& reading, const Call& call);
 // light_actions.cpp
 void point_light(Reading&, const Call&);
 void disk_light(Reading&, const Call&);
+void quad_light(Reading&, const Call&);
 void spotlight(Reading&, const Call&);
 
 // surface_actions.cpp
@@ -59,6 +60,7 @@ void moving_sphere(Reading&, const Call&);
 void box(Reading&, const Call&);
 void cylinder(Reading&, const Call&);
 void hollow_cylinder(Reading&, const Call&);
+void cone(Reading&, const Call&);
 void mesh(Reading&, const Call&);
 
 // group_actions.cpp

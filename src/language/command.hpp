@@ -76,8 +76,8 @@ struct Call {
   int whole(int i) const { return static_cast<int>(number[static_cast<std::size_t>(i)]); }
   Vec3 vec(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
   std::string_view word(int i) const { return words.word[static_cast<std::size_t>(i) + 1]; }
-  Place place() const { return place_of(visit, line, words.word[0]); }
-  Place place_of_argument(int i) const { return place_of(visit, line, word(i)); }
+  SourcePlace place() const { return place_of(visit, line, words.word[0]); }
+  SourcePlace place_of_argument(int i) const { return place_of(visit, line, word(i)); }
 };
 
 // All commands, in the order of the reference page.

@@ -39,6 +39,7 @@ constexpr Argument dist = number("dist"), shutter_open = number("open"), shutter
 constexpr Argument focal_length = above_zero("F"), f_number = above_zero("n"), focus = number("P");
 constexpr Argument inner = half_turn("inner"), outer = half_turn("outer");
 constexpr Argument scale = number("scale"), u = number("u"), v = number("v");
+constexpr Argument cone_height = above_zero("h"), cone_slope = above_zero("k");
 constexpr Argument ymin = number("ymin"), ymax = number("ymax");
 constexpr Argument field = {.name = "degrees", .low = 0, .high = 180, .above_low = true, .below_high = true};
 constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
@@ -124,6 +125,9 @@ constexpr std::array table{
     Command{"disk_light", lights, takes<x, y, z, light_radius, dx, dy, dz, r, g, b>,
             "a disk that faces the direction dx dy dz and casts soft shadows; the disk itself is not visible",
             actions::disk_light},
+    Command{"quad_light", lights, takes<x, y, z, ux, uy, uz, vx, vy, vz, r, g, b>,
+            "the same for a parallelogram: its centre x y z and two half edges, ux uy uz and vx vy vz",
+            actions::quad_light},
     Command{"spotlight", lights, takes<x, y, z, dx, dy, dz, inner, outer, r, g, b>,
             "a light in one direction: full up to `inner` degrees from it, fading to none at `outer`",
             actions::spotlight},
@@ -161,6 +165,9 @@ constexpr std::array table{
             actions::cylinder, no},
     Command{"hollow_cylinder", shapes, takes<radius, x, z, ymin, ymax>, "the same without ends",
             actions::hollow_cylinder, no},
+    Command{"cone", shapes, takes<x, y, z, cone_height, cone_slope>,
+            "a cone that opens upwards from its apex x y z; at the height h its radius is k*h, and it is closed there",
+            actions::cone, no},
     Command{"mesh", shapes, takes<file>,
             "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that "
             "names it",
@@ -196,7 +203,7 @@ constexpr bool has_room_in_call(const Command& command) {
 static_assert(std::ranges::all_of(table, has_room_in_call));
 
 constexpr std::string_view of_other_programs =
-    " ambient_light area_light begin_bvh begin_grid begin_kd bump caustic_photons cone debug diffuse_photons"
+    " ambient_light area_light begin_bvh begin_grid begin_kd bump caustic_photons debug diffuse_photons"
     " directional_light end_bvh end_grid end_kd environment final_gather hollow_cone image_texture load_identity"
     " mesh_texture normal photons plane print print_matrix quad resolution save screen square_light supersample"
     " texture texture_map torus triangle wait ";

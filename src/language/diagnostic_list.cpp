@@ -25,8 +25,8 @@ std::string_view shortened(std::string_view text, std::size_t length) {
 
 }  // namespace
 
-Place place_of(std::uint32_t visit, const Line& line, std::string_view part) {
-  Place place;
+SourcePlace place_of(std::uint32_t visit, const Line& line, std::string_view part) {
+  SourcePlace place;
   place.visit = visit;
   place.line = to_int(static_cast<std::uint64_t>(line.number));
   place.column = to_int(line.column_of(part));
@@ -45,24 +45,24 @@ std::string in_quotes(std::string_view word) {
   return text;
 }
 
-std::uint32_t DiagnosticList::open(std::string file, const Place& by) {
+std::uint32_t DiagnosticList::open(std::string file, const SourcePlace& by) {
   visits_.push_back({std::move(file), by.visit, by.line, by.column});
   return static_cast<std::uint32_t>(visits_.size() - 1);
 }
 
-void DiagnosticList::add(const Place& place, Severity severity, std::string message, std::string hint) {
+void DiagnosticList::add(const SourcePlace& place, Severity severity, std::string message, std::string hint) {
   findings_.push_back({place, severity, std::move(message), std::move(hint)});
 }
 
-void DiagnosticList::error(const Place& place, std::string message, std::string hint) {
+void DiagnosticList::error(const SourcePlace& place, std::string message, std::string hint) {
   if (++errors_ <= most_errors) add(place, Severity::error, std::move(message), std::move(hint));
 }
 
-void DiagnosticList::warning(const Place& place, std::string message, std::string hint) {
+void DiagnosticList::warning(const SourcePlace& place, std::string message, std::string hint) {
   if (++warnings_ <= most_warnings) add(place, Severity::warning, std::move(message), std::move(hint));
 }
 
-std::vector<std::int64_t> DiagnosticList::path_to(const Place& place) const {
+std::vector<std::int64_t> DiagnosticList::path_to(const SourcePlace& place) const {
   std::vector<std::int64_t> path{place.column, place.line};
   for (std::uint32_t visit = place.visit; visit != 0; visit = visits_[visit].parent) {
     path.push_back(visits_[visit].column);
@@ -84,7 +84,7 @@ std::vector<Diagnostic> DiagnosticList::take() {
   std::vector<Diagnostic> list;
   for (const Sorted& entry : sorted) {
     const Finding& finding = *entry.finding;
-    const Place& place = finding.place;
+    const SourcePlace& place = finding.place;
     const Diagnostic diagnostic{finding.severity, file_of(place),  place.line,        place.column,
                                 place.width,      finding.message, place.source_line, finding.hint};
     const auto same = [&](const Diagnostic& d) {

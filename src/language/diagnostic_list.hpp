@@ -13,7 +13,7 @@
 namespace penumbra {
 
 // A part of a line of an opened file. Keeps a copy of the line, so that it outlives the file.
-struct Place {
+struct SourcePlace {
   std::uint32_t visit = 0;  // which opening of a file, see DiagnosticList::open
   int line = 0;             // 0: the whole file
   int column = 0;
@@ -27,16 +27,16 @@ class DiagnosticList {
   static constexpr int most_warnings = 50;
 
   // Registers a file that the command at `by` opens (ignored for the first file); returns the number of this visit.
-  std::uint32_t open(std::string file, const Place& by);
+  std::uint32_t open(std::string file, const SourcePlace& by);
 
   // Adds a finding; beyond most_errors or most_warnings, only counts it.
-  void error(const Place& place, std::string message, std::string hint = {});
-  void warning(const Place& place, std::string message, std::string hint = {});
+  void error(const SourcePlace& place, std::string message, std::string hint = {});
+  void warning(const SourcePlace& place, std::string message, std::string hint = {});
 
   bool has_error() const { return errors_ > 0; }
   // More errors have been found than are reported: reading can stop.
   bool is_full() const { return errors_ > most_errors; }
-  const std::string& file_of(const Place& place) const { return visits_[place.visit].file; }
+  const std::string& file_of(const SourcePlace& place) const { return visits_[place.visit].file; }
 
   // All findings in order, none twice.
   std::vector<Diagnostic> take();
@@ -48,13 +48,13 @@ class DiagnosticList {
     int line, column;  // in the parent
   };
   struct Finding {
-    Place place;
+    SourcePlace place;
     Severity severity;
     std::string message, hint;
   };
 
-  std::vector<std::int64_t> path_to(const Place& place) const;
-  void add(const Place& place, Severity severity, std::string message, std::string hint);
+  std::vector<std::int64_t> path_to(const SourcePlace& place) const;
+  void add(const SourcePlace& place, Severity severity, std::string message, std::string hint);
 
   std::vector<Visit> visits_;
   std::vector<Finding> findings_;
@@ -63,7 +63,7 @@ class DiagnosticList {
 };
 
 // The place of `part`, which is a view into `line`.
-Place place_of(std::uint32_t visit, const Line& line, std::string_view part);
+SourcePlace place_of(std::uint32_t visit, const Line& line, std::string_view part);
 
 // A word of the file, quoted for a message: shortened if it is very long, without control characters.
 std::string in_quotes(std::string_view word);

@@ -7,11 +7,11 @@
 namespace penumbra::actions {
 
 void moving_object(Reading& reading, const Call& call) {
-  reading.complain(call.place(), reading.builder.move_last(call.vec(0)));
+  reading.report(call.place(), reading.builder.move_last(call.vec(0)));
 }
 
 void begin_group(Reading& reading, const Call& call) {
-  reading.complain(call.place(), reading.builder.open_group(call.command.name, call.place()));
+  reading.report(call.place(), reading.builder.open_group(call.command.name, call.place()));
 }
 
 void end_group(Reading& reading, const Call& call) {
@@ -27,18 +27,18 @@ void end_group(Reading& reading, const Call& call) {
                                 fmt::format("`end_list` ends the `begin_accel` on line {}", group.place.line));
   }
   if (group.objects.empty()) reading.diagnostics.warning(group.place, "this group is empty");
-  reading.complain(call.place(), reading.builder.close_group());
+  reading.report(call.place(), reading.builder.close_group());
 }
 
 void named_object(Reading& reading, const Call& call) {
   const auto& names = reading.builder.tree().names;
   if (const auto found = names.find(call.word(0)); found != names.end()) {
-    const Place& first = found->second.place;
+    const SourcePlace& first = found->second.place;
     return reading.diagnostics.error(call.place_of_argument(0),
                                      fmt::format("the name {} is used twice; first at {}:{}", in_quotes(call.word(0)),
                                                  reading.diagnostics.file_of(first), first.line));
   }
-  reading.complain(call.place(), reading.builder.name_last(call.word(0), call.place_of_argument(0)));
+  reading.report(call.place(), reading.builder.name_last(call.word(0), call.place_of_argument(0)));
 }
 
 void instance(Reading& reading, const Call& call) {
@@ -51,7 +51,7 @@ void instance(Reading& reading, const Call& call) {
                                      fmt::format("there is no object with the name {}", in_quotes(call.word(0))),
                                      did_you_mean(nearest_word(call.word(0), known)));
   }
-  reading.complain(call.place(), reading.builder.add_instance(call.word(0)));
+  reading.report(call.place(), reading.builder.add_instance(call.word(0)));
 }
 
 }  // namespace penumbra::actions

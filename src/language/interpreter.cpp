@@ -36,7 +36,7 @@ bool read_vertex_quickly(SceneBuilder& builder, std::string_view line) {
   return builder.in_polygon() && builder.add_vertex({number[0], number[1], number[2]});
 }
 
-void unknown_command(Reading& reading, const Place& place, std::string_view word) {
+void unknown_command(Reading& reading, const SourcePlace& place, std::string_view word) {
   const std::string_view near = nearest_command(word);
   const bool other = is_command_of_other_programs(word);
   const std::string name = in_quotes(word);

@@ -15,6 +15,12 @@ bool has_direction(Reading& reading, const Call& call, int first) {
   return false;
 }
 
+// Whether the angle between two edges is more than what the rounding of their numbers makes.
+bool span_area(Vec3 u, Vec3 v) {
+  const double u_size = max_component(abs(u)), v_size = max_component(abs(v));
+  return u_size > 0 && v_size > 0 && max_component(abs(cross(u / u_size, v / v_size))) > 1e-12;
+}
+
 }  // namespace
 
 void point_light(Reading& reading, const Call& call) {
@@ -24,6 +30,13 @@ void point_light(Reading& reading, const Call& call) {
 void disk_light(Reading& reading, const Call& call) {
   if (!has_direction(reading, call, 4)) return;
   reading.builder.change().lights.emplace_back(DiskLight{call.vec(0), call[3], call.vec(4), call.vec(7)});
+}
+
+void quad_light(Reading& reading, const Call& call) {
+  if (!span_area(call.vec(3), call.vec(6))) {
+    return reading.diagnostics.error(call.place_of_argument(3), "the two half edges of `quad_light` lie on one line");
+  }
+  reading.builder.change().lights.emplace_back(QuadLight{call.vec(0), call.vec(3), call.vec(6), call.vec(9)});
 }
 
 void spotlight(Reading& reading, const Call& call) {

@@ -16,10 +16,10 @@ void multiply(Reading& reading, const Call& call, const Affine& by) {
 
 }  // namespace
 
-void push(Reading& reading, const Call& call) { reading.complain(call.place(), reading.builder.push(call.place())); }
+void push(Reading& reading, const Call& call) { reading.report(call.place(), reading.builder.push(call.place())); }
 
 void pop(Reading& reading, const Call& call) {
-  const Complaint wrong = reading.builder.pop();
+  const Problem wrong = reading.builder.pop();
   if (!wrong.empty()) reading.diagnostics.error(call.place(), wrong);
 }
 

@@ -15,7 +15,7 @@
 namespace penumbra {
 
 struct MeshError {
-  Place place;  // in the mesh file; line 0 for an error in binary data, whose byte `message` names
+  SourcePlace place;  // in the mesh file; line 0 for an error in binary data, whose byte `message` names
   std::string message;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
 
 // The place of a character of a text.
-Place place_in_text(std::string_view text, const char* at) {
+SourcePlace place_in_text(std::string_view text, const char* at) {
   LineCursor cursor(text);
   Line line;
   while (cursor.next(line) && line.text.data() + line.text.size() < at) continue;

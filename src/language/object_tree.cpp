@@ -73,7 +73,7 @@ Object ObjectTree::take_last() {
   return object;
 }
 
-void ObjectTree::open_group(std::string_view opener, const Place& place) {
+void ObjectTree::open_group(std::string_view opener, const SourcePlace& place) {
   OpenGroup group;
   group.opener = opener;
   group.place = place;

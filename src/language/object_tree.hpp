@@ -17,7 +17,7 @@ namespace penumbra {
 struct OpenGroup {
   std::vector<Object> objects;
   std::string opener;  // the command that opened it
-  Place place;
+  SourcePlace place;
 
   bool has_last = false;
   std::uint32_t last_triangles = 0;  // of the last polygon, in the run objects.back(); 0 if that is not a run
@@ -31,7 +31,7 @@ struct NamedObject {
   std::uint32_t definition = 0;  // index into Scene::definitions
   int nesting = 0;
   bool used = false;
-  Place place;
+  SourcePlace place;
 };
 
 class ObjectTree {
@@ -55,7 +55,7 @@ class ObjectTree {
   int open_groups() const { return static_cast<int>(groups_.size()) - 1; }
   const OpenGroup& innermost() const { return groups_.back(); }
   const OpenGroup& group(int level) const { return groups_[static_cast<std::size_t>(level)]; }
-  void open_group(std::string_view opener, const Place& place);
+  void open_group(std::string_view opener, const SourcePlace& place);
   // Makes the innermost group, which must not be the scene, an object of the group around it.
   void close_group();
 

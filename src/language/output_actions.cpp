@@ -9,7 +9,7 @@ namespace penumbra::actions {
 namespace {
 
 void take_picture(Reading& reading, const Call& call, std::string file) {
-  const Complaint wrong = reading.builder.add_picture(std::move(file));
+  const Problem wrong = reading.builder.add_picture(std::move(file));
   if (!wrong.empty()) return reading.diagnostics.error(call.place(), wrong);
   reading.objects_in_pictures = reading.builder.tree().objects_added();
   reading.after_pictures.reset();

@@ -11,14 +11,14 @@
 namespace penumbra {
 namespace {
 
-Place whole_file(std::uint32_t visit) {
-  Place place;
+SourcePlace whole_file(std::uint32_t visit) {
+  SourcePlace place;
   place.visit = visit;
   return place;
 }
 
 // Enforces the limits on all files together.
-Complaint count_file(Reading& reading, std::size_t size) {
+Problem count_file(Reading& reading, std::size_t size) {
   reading.reads++;
   reading.bytes += size;
   if (reading.reads > reading.limits.reads)
@@ -38,7 +38,7 @@ void remember_file(Reading& reading, const std::filesystem::path& path) {
 void read_first_file(Reading& reading, const std::filesystem::path& path, LoadedFile file) {
   const std::uint32_t visit = reading.diagnostics.open(path.string(), {});
   remember_file(reading, path);
-  if (const Complaint wrong = count_file(reading, file.bytes.view().size()); !wrong.empty()) {
+  if (const Problem wrong = count_file(reading, file.bytes.view().size()); !wrong.empty()) {
     return reading.diagnostics.error(whole_file(visit), wrong);
   }
   reading.open_files.push_back({path, file.identity, visit});
@@ -88,7 +88,7 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
                               fmt::format("cannot read `{}`: {}", file.path.string(), file.loaded.problem));
     return std::nullopt;
   }
-  if (const Complaint wrong = count_file(reading, file.loaded.bytes.view().size()); !wrong.empty()) {
+  if (const Problem wrong = count_file(reading, file.loaded.bytes.view().size()); !wrong.empty()) {
     reading.diagnostics.error(call.place(), wrong);
     return std::nullopt;
   }
@@ -104,7 +104,7 @@ void finish_reading(Reading& reading) {
   warn_of_empty_picture(reading, whole_file(0));
 }
 
-void warn_of_empty_picture(Reading& reading, const Place& place) {
+void warn_of_empty_picture(Reading& reading, const SourcePlace& place) {
   if (reading.diagnostics.has_error()) return;  // what is missing may be what has the error
   const Picture& picture = reading.builder.last_picture();
   const bool has_objects = reading.builder.tree().objects_to_copy() > 0;

@@ -47,13 +47,13 @@ struct Reading {
   std::size_t reads = 0;
   std::uint64_t bytes = 0;
 
-  bool varies = false;                    // an expression was read
-  bool stray_vertex = false;              // a `vertex` outside a polygon was reported; the next ones are not
-  std::uint64_t objects_in_pictures = 0;  // objects added before the last picture was taken
-  std::optional<Place> after_pictures;    // the first object after the last picture
+  bool varies = false;                        // an expression was read
+  bool stray_vertex = false;                  // a `vertex` outside a polygon was reported; the next ones are not
+  std::uint64_t objects_in_pictures = 0;      // objects added before the last picture was taken
+  std::optional<SourcePlace> after_pictures;  // the first object after the last picture
 
-  void complain(const Place& place, const Complaint& complaint) {
-    if (!complaint.empty()) diagnostics.error(place, complaint);
+  void report(const SourcePlace& place, const Problem& problem) {
+    if (!problem.empty()) diagnostics.error(place, problem);
   }
 };
 
@@ -64,7 +64,7 @@ void interpret_line(Reading& reading, std::uint32_t visit, const Line& line);
 void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit);
 
 // Warns if the last picture taken has no object or no light.
-void warn_of_empty_picture(Reading& reading, const Place& place);
+void warn_of_empty_picture(Reading& reading, const SourcePlace& place);
 
 // Reports what is missing or odd once everything is read, and takes a picture if the scene asks for none.
 void finish_reading(Reading& reading);

@@ -48,20 +48,20 @@ void SceneBuilder::set_matrix(const Affine& matrix) {
   matrix_checked_ = false;
 }
 
-Complaint SceneBuilder::push(const Place& place) {
+Problem SceneBuilder::push(const SourcePlace& place) {
   if (pushed_.size() >= limits_.pushes) return fmt::format("more than {} `push` are open", limits_.pushes);
   pushed_.emplace_back(matrix_, place);
   return {};
 }
 
-Complaint SceneBuilder::pop() {
+Problem SceneBuilder::pop() {
   if (pushed_.empty()) return "`pop` without a `push` before it";
   set_matrix(pushed_.back().first);
   pushed_.pop_back();
   return {};
 }
 
-Complaint SceneBuilder::check_matrix() {
+Problem SceneBuilder::check_matrix() {
   if (matrix_checked_) return {};
   const double size = determinant(matrix_);
   if (!fits_single_precision(matrix_) || !std::isfinite(size)) return "the current matrix has become too large";
@@ -90,8 +90,8 @@ std::uint32_t SceneBuilder::placement_index() {
   return static_cast<std::uint32_t>(placements.size() - 1);
 }
 
-Complaint SceneBuilder::add_shape(const Shape& shape, Vec3 motion) {
-  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+Problem SceneBuilder::add_shape(const Shape& shape, Vec3 motion) {
+  if (Problem wrong = check_matrix(); !wrong.empty()) return wrong;
   if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
   change();
   Object object;
@@ -103,7 +103,7 @@ Complaint SceneBuilder::add_shape(const Shape& shape, Vec3 motion) {
   return {};
 }
 
-Complaint SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
+Problem SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
   if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
   change();
   Object object;
@@ -114,13 +114,13 @@ Complaint SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
   return {};
 }
 
-Complaint SceneBuilder::add_mesh(std::uint32_t first) {
+Problem SceneBuilder::add_mesh(std::uint32_t first) {
   const std::uint32_t count = triangles_.triangle_count() - first;
-  return count == 0 ? Complaint() : add_unplaced_shape(TriangleRange{first, count});
+  return count == 0 ? Problem() : add_unplaced_shape(TriangleRange{first, count});
 }
 
-Complaint SceneBuilder::begin_polygon(const Place& place) {
-  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+Problem SceneBuilder::begin_polygon(const SourcePlace& place) {
+  if (Problem wrong = check_matrix(); !wrong.empty()) return wrong;
   polygon_place_.visit = place.visit;
   polygon_place_.line = place.line;
   polygon_place_.column = place.column;
@@ -130,7 +130,7 @@ Complaint SceneBuilder::begin_polygon(const Place& place) {
   return {};
 }
 
-Complaint SceneBuilder::end_polygon() {
+Problem SceneBuilder::end_polygon() {
   const std::uint64_t corners = triangles_.polygon_vertices();
   if (corners < 3) {
     triangles_.abandon_polygon();
@@ -144,20 +144,20 @@ Complaint SceneBuilder::end_polygon() {
   return {};
 }
 
-Complaint SceneBuilder::open_group(std::string_view opener, const Place& place) {
+Problem SceneBuilder::open_group(std::string_view opener, const SourcePlace& place) {
   if (tree_.open_groups() >= limits_.nesting) return fmt::format("groups nest more than {} deep", limits_.nesting);
   change();
   tree_.open_group(opener, place);
   return {};
 }
 
-Complaint SceneBuilder::close_group() {
+Problem SceneBuilder::close_group() {
   change();
   tree_.close_group();
   return {};
 }
 
-Complaint SceneBuilder::name_last(std::string_view name, const Place& place) {
+Problem SceneBuilder::name_last(std::string_view name, const SourcePlace& place) {
   if (!tree_.has_last()) return "there is no object before it to name";
   change();
   NamedObject named;
@@ -169,10 +169,10 @@ Complaint SceneBuilder::name_last(std::string_view name, const Place& place) {
   return {};
 }
 
-Complaint SceneBuilder::add_instance(std::string_view name) {
+Problem SceneBuilder::add_instance(std::string_view name) {
   NamedObject& named = tree_.names.find(name)->second;
   named.used = true;
-  if (Complaint wrong = check_matrix(); !wrong.empty()) return wrong;
+  if (Problem wrong = check_matrix(); !wrong.empty()) return wrong;
   if (named.nesting >= limits_.nesting) {
     return fmt::format("groups and instances nest more than {} deep", limits_.nesting);
   }
@@ -184,7 +184,7 @@ Complaint SceneBuilder::add_instance(std::string_view name) {
   return {};
 }
 
-Complaint SceneBuilder::move_last(Vec3 motion) {
+Problem SceneBuilder::move_last(Vec3 motion) {
   if (!tree_.has_last()) return "there is no object before it to move";
   change();
   Object& object = tree_.last_object();
@@ -194,7 +194,7 @@ Complaint SceneBuilder::move_last(Vec3 motion) {
   return {};
 }
 
-Complaint SceneBuilder::add_picture(std::string file) {
+Problem SceneBuilder::add_picture(std::string file) {
   if (waiting_.empty() && pictures_ > 0 && copied_ + size_of_copy() > limits_.copies) {
     return "too many pictures of too many objects in one file";
   }

@@ -16,7 +16,7 @@
 namespace penumbra {
 
 // What is wrong, as a sentence without a full stop; empty if nothing is.
-using Complaint = std::string;
+using Problem = std::string;
 
 class SceneBuilder {
  public:
@@ -30,40 +30,40 @@ class SceneBuilder {
   const Affine& matrix() const { return matrix_; }
   void set_matrix(const Affine& matrix);
   // Why no shape can be placed under it; empty if one can.
-  Complaint check_matrix();
-  Complaint push(const Place& place);
-  Complaint pop();
-  const std::vector<std::pair<Affine, Place>>& pushed() const { return pushed_; }
+  Problem check_matrix();
+  Problem push(const SourcePlace& place);
+  Problem pop();
+  const std::vector<std::pair<Affine, SourcePlace>>& pushed() const { return pushed_; }
 
   // The current surface.
   const Surface& surface() const { return surface_; }
   void set_surface(const Surface& surface);
 
   // Adds a shape under the current matrix, or under none; `motion` is in the space of the open group.
-  Complaint add_shape(const Shape& shape, Vec3 motion = {});
-  Complaint add_unplaced_shape(const Shape& shape, Vec3 motion = {});
+  Problem add_shape(const Shape& shape, Vec3 motion = {});
+  Problem add_unplaced_shape(const Shape& shape, Vec3 motion = {});
   // Adds the triangles from `first` to the end of the store as one object.
-  Complaint add_mesh(std::uint32_t first);
+  Problem add_mesh(std::uint32_t first);
 
   // Polygons.
   bool in_polygon() const { return triangles_.in_polygon(); }
-  Complaint begin_polygon(const Place& place);
+  Problem begin_polygon(const SourcePlace& place);
   bool add_vertex(Vec3 position) { return triangles_.add_vertex(transform_point(matrix_, position)); }
-  Complaint end_polygon();
-  const Place& polygon_place() const { return polygon_place_; }
+  Problem end_polygon();
+  const SourcePlace& polygon_place() const { return polygon_place_; }
   TriangleBuilder& triangles() { return triangles_; }
 
   // Groups, names, motion.
-  Complaint open_group(std::string_view opener, const Place& place);
-  Complaint close_group();
-  Complaint name_last(std::string_view name, const Place& place);
-  Complaint add_instance(std::string_view name);
-  Complaint move_last(Vec3 motion);
+  Problem open_group(std::string_view opener, const SourcePlace& place);
+  Problem close_group();
+  Problem name_last(std::string_view name, const SourcePlace& place);
+  Problem add_instance(std::string_view name);
+  Problem move_last(Vec3 motion);
   ObjectTree& tree() { return tree_; }
   const ObjectTree& tree() const { return tree_; }
 
   // Pictures, timers and painted rectangles.
-  Complaint add_picture(std::string file);
+  Problem add_picture(std::string file);
   void add_timer(const Action& action) { actions_.push_back(action); }
   void set_paint(Color color) { paint_ = color; }
   void add_rect(int x0, int y0, int x1, int y1) { rects_.push_back({x0, y0, x1, y1, paint_}); }
@@ -87,9 +87,9 @@ class SceneBuilder {
 
   Affine matrix_;
   bool matrix_checked_ = true;
-  std::vector<std::pair<Affine, Place>> pushed_;
+  std::vector<std::pair<Affine, SourcePlace>> pushed_;
   Surface surface_;
-  Place polygon_place_;
+  SourcePlace polygon_place_;
 
   std::vector<Action> actions_;
   std::vector<std::size_t> waiting_;  // pictures of the scene as it stands; it is copied only when it changes

@@ -9,7 +9,7 @@ namespace penumbra::actions {
 namespace {
 
 void add_box(Reading& reading, const Call& call, Vec3 a, Vec3 b) {
-  reading.complain(call.place(), reading.builder.add_shape(Box{min(a, b), max(a, b)}));
+  reading.report(call.place(), reading.builder.add_shape(Box{min(a, b), max(a, b)}));
 }
 
 // Adds a shape whose position is already transformed; `a` and `b` bound it.
@@ -17,7 +17,7 @@ void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a
   if (!fits_single_precision(a) || !fits_single_precision(b)) {
     return reading.diagnostics.error(call.place(), "the current matrix moves the shape too far away");
   }
-  reading.complain(call.place(), reading.builder.add_unplaced_shape(shape, motion));
+  reading.report(call.place(), reading.builder.add_unplaced_shape(shape, motion));
 }
 
 void add_sphere(Reading& reading, const Call& call, Vec3 start, Vec3 end) {
@@ -27,7 +27,7 @@ void add_sphere(Reading& reading, const Call& call, Vec3 start, Vec3 end) {
     const Vec3 center = transform_point(matrix, start);
     add_unplaced(reading, call, Sphere{center, call[0]}, center, center, motion);
   } else {
-    reading.complain(call.place(), reading.builder.add_shape(Sphere{start, call[0]}, motion));
+    reading.report(call.place(), reading.builder.add_shape(Sphere{start, call[0]}, motion));
   }
 }
 
@@ -35,7 +35,7 @@ void add_cylinder(Reading& reading, const Call& call, bool capped) {
   const double low = std::min(call[3], call[4]);
   const double high = std::max(call[3], call[4]);
   if (low == high) reading.diagnostics.warning(call.place_of_argument(3), "this cylinder has no height");
-  reading.complain(call.place(), reading.builder.add_shape(Cylinder{call[0], call[1], call[2], low, high, capped}));
+  reading.report(call.place(), reading.builder.add_shape(Cylinder{call[0], call[1], call[2], low, high, capped}));
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void begin(Reading& reading, const Call& call) {
                                                         reading.builder.polygon_place().line));
     reading.builder.triangles().abandon_polygon();
   }
-  const Complaint wrong = reading.builder.begin_polygon(call.place());
+  const Problem wrong = reading.builder.begin_polygon(call.place());
   if (wrong.empty()) return;
   reading.diagnostics.error(call.place(), wrong);
   reading.stray_vertex = true;
@@ -67,7 +67,7 @@ void texture_coord(Reading&, const Call&) {}
 
 void end(Reading& reading, const Call& call) {
   if (reading.builder.in_polygon()) {
-    reading.complain(call.place(), reading.builder.end_polygon());
+    reading.report(call.place(), reading.builder.end_polygon());
   } else if (!reading.stray_vertex) {
     const bool in_group = reading.builder.tree().open_groups() > 0;
     const bool is_list = in_group && reading.builder.tree().innermost().opener == "begin_list";
@@ -94,19 +94,28 @@ void cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, 
 
 void hollow_cylinder(Reading& reading, const Call& call) { add_cylinder(reading, call, false); }
 
+void cone(Reading& reading, const Call& call) {
+  const Cone cone{call.vec(0), call[3], call[4]};
+  if (!fits_single_precision(cone.apex + Vec3{0, cone.height, 0}) ||
+      !fits_single_precision({cone.height * cone.slope, 0, 0})) {
+    return reading.diagnostics.error(call.place(), "this cone is too large at its top");
+  }
+  reading.report(call.place(), reading.builder.add_shape(cone));
+}
+
 void mesh(Reading& reading, const Call& call) {
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;
   SceneBuilder& builder = reading.builder;
-  if (const Complaint wrong = builder.check_matrix(); !wrong.empty()) {
+  if (const Problem wrong = builder.check_matrix(); !wrong.empty()) {
     return reading.diagnostics.error(call.place(), wrong);
   }
   builder.change();
   TriangleStore& store = *builder.triangles().store();
   const std::uint32_t first = builder.triangles().triangle_count();
   const std::optional<MeshError> error = read_mesh(file->path, file->loaded.bytes, builder.matrix(), store);
-  if (!error) return reading.complain(call.place(), builder.add_mesh(first));
-  Place place = error->place;
+  if (!error) return reading.report(call.place(), builder.add_mesh(first));
+  SourcePlace place = error->place;
   place.visit = reading.diagnostics.open(file->path.string(), call.place());
   reading.diagnostics.error(place, error->message);
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/number_list.hpp"
+#include "picture/development.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
@@ -102,12 +103,12 @@ PictureOption frames() {
   row.parse = [](Options& options, std::string_view text) { return parse_frames(text, options.frames); };
   row.words = [](const Options& options, const Settings&) {
     if (!options.frames) return std::string();
-    const FrameRange& range = *options.frames;
+    const AnimationRange& range = *options.frames;
     const std::string step = range.step == 1 ? std::string() : fmt::format("x{}", range.step);
     return fmt::format("{}-{}{}", range.first, range.last, step);
   };
   row.apply = [](Scene& scene, const Options& options) {
-    const std::optional<FrameOfRange> frame = options.frame_of_range();
+    const std::optional<AnimationFrame> frame = options.animation_frame();
     if (!frame) return;
     scene.camera.shutter_open = frame->time_at(scene.camera.shutter_open);
     scene.camera.shutter_close = frame->time_at(scene.camera.shutter_close);

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "picture/picture_options.hpp"
+#include <cmath>
+#include <numbers>
 
 namespace penumbra {
 namespace {
@@ -26,6 +27,11 @@ void add_channels(ImageFile& file, const LayerRow& row, const ZeroedVector<float
 }
 
 }  // namespace
+
+double exposure_factor(int halves) {
+  const int whole = (halves - (halves & 1)) / 2;
+  return std::ldexp(halves & 1 ? std::numbers::sqrt2 : 1.0, whole);
+}
 
 void expose(Image& image, double exposure) {
   if (exposure == 1) return;

@@ -13,6 +13,9 @@ ImageFile develop(Film film, const Development& development);
 // Only the colours.
 Image develop_color(const Film& film, const Development& development);
 
+// The factor of so many half steps: exact, and the same everywhere.
+double exposure_factor(int halves);
+
 // Multiplies all colours.
 void expose(Image& image, double exposure);
 

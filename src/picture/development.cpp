@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "base/archive.hpp"
-#include "picture/picture_options.hpp"
 
 namespace penumbra {
 namespace {

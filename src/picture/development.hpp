@@ -10,6 +10,9 @@
 
 namespace penumbra {
 
+// The most half stops of exposure, in either direction.
+inline constexpr int most_exposure_halves = 40;
+
 struct Development {
   int full_width = 0, full_height = 0;
   std::vector<PaintedRect> rects;

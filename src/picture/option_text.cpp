@@ -25,7 +25,7 @@ bool take(std::string_view& text, char letter) {
   return true;
 }
 
-std::optional<FrameRange> range_from(std::string_view text) {
+std::optional<AnimationRange> range_from(std::string_view text) {
   const auto first = take_number(text);
   if (!first || !take(text, '-')) return std::nullopt;
   const auto last = take_number(text);
@@ -33,7 +33,7 @@ std::optional<FrameRange> range_from(std::string_view text) {
   const auto step = take(text, 'x') ? take_number(text) : 1;
   if (!step || !text.empty()) return std::nullopt;
   if (*first > *last || *last > last_possible_frame || *step < 1) return std::nullopt;
-  return FrameRange{*first, *last, *step};
+  return AnimationRange{*first, *last, *step};
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ std::string parse_number(std::string_view text, double low, double high, std::st
   return {};
 }
 
-std::string parse_frames(std::string_view text, std::optional<FrameRange>& range) {
-  const std::optional<FrameRange> found = range_from(text);
+std::string parse_frames(std::string_view text, std::optional<AnimationRange>& range) {
+  const std::optional<AnimationRange> found = range_from(text);
   if (!found) {
     return expected(text,
                     fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));

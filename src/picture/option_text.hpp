@@ -37,7 +37,7 @@ std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t hi
 }
 
 // "A-B" or "A-BxSTEP".
-std::string parse_frames(std::string_view text, std::optional<FrameRange>& range);
+std::string parse_frames(std::string_view text, std::optional<AnimationRange>& range);
 
 // "0.2" applies to all, "3:0.2" to number 3.
 std::string parse_radius(std::string_view text, std::vector<NumberedRadius>& radii);

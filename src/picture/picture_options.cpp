@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
 #include <span>
 
 #include "picture/option_table.hpp"
@@ -20,11 +18,6 @@ std::string beyond(std::span<const NumberedRadius> radii, std::size_t count, con
 }
 
 }  // namespace
-
-double exposure_factor(int halves) {
-  const int whole = (halves - (halves & 1)) / 2;
-  return std::ldexp(halves & 1 ? std::numbers::sqrt2 : 1.0, whole);
-}
 
 std::string missing_number(const Scene& scene, const PictureOptions& options) {
   const std::size_t surfaces = scene.surfaces.size();

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "picture/animation.hpp"
 #include "picture/effect.hpp"
-#include "picture/frame_of_range.hpp"
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 #include "scene/scene.hpp"
@@ -26,7 +26,7 @@ struct PictureOptions {
   std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;
-  std::optional<FrameRange> frames;               // `shutter` and `time` then are in a frame's own time
+  std::optional<AnimationRange> frames;           // `shutter` and `time` then are in a frame's own time
   std::optional<int> frame;                       // only this one of them
   std::optional<std::pair<double, double>> lens;  // radius, distance of the plane in focus
   // Later ones win. Gloss applies to surfaces that reflect, blur to those that transmit; numbers count all surfaces.
@@ -41,18 +41,12 @@ struct PictureOptions {
 
   SampleCounts sample_counts() const { return noise ? SampleCounts::per_pixel : SampleCounts::uniform; }
   // The frame that is rendered; none for a still picture.
-  std::optional<FrameOfRange> frame_of_range() const {
+  std::optional<AnimationFrame> animation_frame() const {
     if (!frames || !frame) return std::nullopt;
-    return FrameOfRange{frames->first, frames->last, *frame};
+    return AnimationFrame{frames->first, frames->last, *frame};
   }
   bool operator==(const PictureOptions&) const = default;
 };
-
-// The most half stops of exposure, in either direction.
-inline constexpr int most_exposure_halves = 40;
-
-// The factor of `halves` half stops: the same bits on every machine.
-double exposure_factor(int halves);
 
 // The sentence about an option that names a light or a surface the scene does not have; empty if none does.
 std::string missing_number(const Scene& scene, const PictureOptions& options);

@@ -134,18 +134,18 @@ void Part::add_to(Film& film) const {
   }
 }
 
-std::vector<std::string> complaints_about(const std::vector<Part>& parts) {
-  std::vector<std::string> complaints;
+std::vector<std::string> problems_of(const std::vector<Part>& parts) {
+  std::vector<std::string> problems;
   const PartHeader& common = most_common(parts);
   std::vector<const Part*> found(static_cast<std::size_t>(common.shard.count));
   for (const Part& part : parts) {
     if (const std::string why = difference_in_words(part.header(), common); !why.empty()) {
-      complaints.push_back(fmt::format("`{}` is a part of another picture: {}", part.name(), why));
+      problems.push_back(fmt::format("`{}` is a part of another picture: {}", part.name(), why));
       continue;
     }
     const Part*& place = found[static_cast<std::size_t>(part.header().shard.index)];
     if (place) {
-      complaints.push_back(
+      problems.push_back(
           fmt::format("shard {} is there twice: `{}` and `{}`", part.header().shard.index, place->name(), part.name()));
     }
     place = &part;
@@ -155,11 +155,11 @@ std::vector<std::string> complaints_about(const std::vector<Part>& parts) {
     if (!found[static_cast<std::size_t>(i)]) missing.push_back(i);
   }
   if (!missing.empty()) {
-    complaints.push_back(fmt::format("of {} shards, from 0, {} missing: {}", common.shard.count,
-                                     missing.size() == 1 ? "one is" : fmt::format("{} are", missing.size()),
-                                     in_words(missing)));
+    problems.push_back(fmt::format("of {} shards, from 0, {} missing: {}", common.shard.count,
+                                   missing.size() == 1 ? "one is" : fmt::format("{} are", missing.size()),
+                                   in_words(missing)));
   }
-  return complaints;
+  return problems;
 }
 
 Film merge(const std::vector<Part>& parts) {

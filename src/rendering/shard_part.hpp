@@ -48,9 +48,9 @@ class Part {
 
 // What keeps parts from being one picture, a sentence each: those of other pictures, those that are there twice, those
 // that are missing. Empty if nothing does. There must be one part at least.
-std::vector<std::string> complaints_about(const std::vector<Part>& parts);
+std::vector<std::string> problems_of(const std::vector<Part>& parts);
 
-// The film of parts about which there is no complaint.
+// The film of parts about which there is no problem.
 Film merge(const std::vector<Part>& parts);
 
 }  // namespace penumbra

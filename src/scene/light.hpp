@@ -26,6 +26,14 @@ struct DiskLight {
   Color color;
 };
 
+// The same for a parallelogram: center + s u + t v with s and t from -1 to 1.
+struct QuadLight {
+  static constexpr std::string_view name = "quad light";
+  Vec3 center;
+  Vec3 u, v;  // half edges that do not lie on one line
+  Color color;
+};
+
 // Full within `inner_degrees` of the axis, none beyond `outer_degrees`; between them, a smoothstep of the cosine.
 struct SpotLight {
   static constexpr std::string_view name = "spotlight";
@@ -36,11 +44,12 @@ struct SpotLight {
   Color color;
 };
 
-using Light = std::variant<PointLight, DiskLight, SpotLight>;
+using Light = std::variant<PointLight, DiskLight, QuadLight, SpotLight>;
 
 // The same light, shining from its centre only.
 inline Light without_area(const PointLight& light) { return light; }
 inline Light without_area(const DiskLight& l) { return DiskLight{l.center, 0, l.direction, l.color}; }
+inline Light without_area(const QuadLight& l) { return PointLight{l.center, l.color}; }
 inline Light without_area(const SpotLight& light) { return light; }
 
 }  // namespace penumbra

@@ -78,6 +78,12 @@ struct Cylinder {  // along y
   double y_min = 0, y_max = 1;
   bool capped = true;
 };
+struct Cone {  // along y, from its apex upwards, capped at the top
+  static constexpr KindName name{"cone", "cones"};
+  Vec3 apex;
+  double height = 1;
+  double slope = 1;  // radius for each unit of height
+};
 
 // `count` triangles of the TriangleStore from `first` on: a triangle, a polygon, a run of polygons, or a whole mesh
 // file. Their positions are already in the space of the group; `group_from_object` is not applied to them.
@@ -95,7 +101,7 @@ struct Instance {
 
 struct Group;
 
-using Shape = std::variant<Sphere, Box, Cylinder, TriangleRange, std::shared_ptr<const Group>, Instance>;
+using Shape = std::variant<Sphere, Box, Cylinder, Cone, TriangleRange, std::shared_ptr<const Group>, Instance>;
 
 // The kinds that are a single shape, whose parameters are all in the object.
 template <typename Kind>

@@ -11,11 +11,12 @@
 #endif
 #include "tracing/lights/disk.hpp"
 #include "tracing/lights/point.hpp"
+#include "tracing/lights/quad.hpp"
 #include "tracing/lights/spot.hpp"
 
 namespace penumbra {
 
-enum class LightKind : std::uint8_t { point, disk, spot };
+enum class LightKind : std::uint8_t { point, disk, quad, spot };
 
 struct FrameLight {
   LightKind kind = LightKind::point;
@@ -25,11 +26,13 @@ struct FrameLight {
   union {  // the one of `kind`
     FramePointLight point = {};
     FrameDiskLight disk;
+    FrameQuadLight quad;
     FrameSpotLight spot;
   };
 
   void hold(const FramePointLight& l) { kind = LightKind::point, point = l; }
   void hold(const FrameDiskLight& l) { kind = LightKind::disk, disk = l; }
+  void hold(const FrameQuadLight& l) { kind = LightKind::quad, quad = l; }
   void hold(const FrameSpotLight& l) { kind = LightKind::spot, spot = l; }
 };
 
@@ -41,6 +44,8 @@ template <typename Visit>
       return visit(light.point);
     case LightKind::disk:
       return visit(light.disk);
+    case LightKind::quad:
+      return visit(light.quad);
     case LightKind::spot:
       return visit(light.spot);
   }

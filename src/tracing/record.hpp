@@ -49,7 +49,7 @@ class RayRecorder {
     ray.parent = depth == 0 ? -1 : open_[depth - 1].number;
     ray.count = depth == 0 ? 1 : open_[depth - 1].next_count;
     for (float& f : ray.factor) f = depth == 0 ? 1 : open_[depth - 1].next_factor;
-    note(ray, rays, hits, is_in(hits.found));
+    fill_in(ray, rays, hits, is_in(hits.found));
   }
   void surface(Float3 ambient, Float3 shading, int depth) {
     RecordedRay* ray = open_[depth].ray;
@@ -78,7 +78,7 @@ class RayRecorder {
     ray.count = 1;
     const float through = lane_of(visible, lane_);
     const Hits hits = intersect(world_, rays, distance, sent);
-    note(ray, rays, hits, through != 1 && is_in(hits.found));
+    fill_in(ray, rays, hits, through != 1 && is_in(hits.found));
     ray.light_distance = lane_of(distance, lane_);
     for (float& c : ray.came_back) c = through;
   }
@@ -94,7 +94,7 @@ class RayRecorder {
  private:
   bool is_in(Mask mask) const { return (bits(mask) >> lane_) & 1; }
 
-  void note(RecordedRay& ray, const Rays& rays, const Hits& hits, bool hit) const {
+  void fill_in(RecordedRay& ray, const Rays& rays, const Hits& hits, bool hit) const {
     lane_of(rays.origin, lane_, ray.origin);
     lane_of(rays.direction, lane_, ray.direction);
     ray.time = lane_of(rays.time, lane_);

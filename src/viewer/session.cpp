@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/atomic_file.hpp"
+#include "picture/development.hpp"
 #include "picture/scene_lines.hpp"
 #include "viewer/focus.hpp"
 #include "viewer/save_picture.hpp"
@@ -57,7 +58,7 @@ bool Session::poll() {
   bool changed = false;
   const RefinerNews news = refiner_.take();
   if (news.loaded) {
-    note(*news.loaded);
+    take_loaded(*news.loaded);
     if (news.loaded->scene) {
       loaded_ = news.loaded;
       forget_missing_numbers();
@@ -110,7 +111,7 @@ void Session::forget_missing_numbers() {
   }
 }
 
-void Session::note(const LoadedScene& loaded) {
+void Session::take_loaded(const LoadedScene& loaded) {
   reading_ = false;
   watched_ = loaded.files;
   next_look_ = Clock::now() + look_interval;
@@ -128,7 +129,7 @@ void Session::say(std::string message) {
   message_end_ = Clock::now() + message_duration;
 }
 
-void Session::obey(const ViewCommand& command, PlaceInWindow cursor) {
+void Session::execute(const ViewCommand& command, PlaceInWindow cursor) {
   switch (command.kind) {
     case ViewCommandKind::none:
     case ViewCommandKind::copy:

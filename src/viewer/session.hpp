@@ -31,7 +31,7 @@ class Session {
   // Takes the news and checks the files. True if the window must be redrawn.
   bool poll();
   // `cursor`: where the mouse is. Copying is left to the caller, which has the clipboard.
-  void obey(const ViewCommand& command, PlaceInWindow cursor);
+  void execute(const ViewCommand& command, PlaceInWindow cursor);
   // Inspects the pixel at a place of the window, or none if it is the same one again or outside the picture.
   void inspect_at(PlaceInWindow place);
   bool wants_to_quit() const { return quit_; }
@@ -89,7 +89,7 @@ class Session {
   void inspect_again();
   // The side of the split view that a pixel belongs to.
   int side_of(PictureView::Pixel pixel) const;
-  void note(const LoadedScene& loaded);
+  void take_loaded(const LoadedScene& loaded);
   void look_at_files(Clock::time_point now);
   // Drops the options for lights and surfaces that the scene, read again, no longer has.
   void forget_missing_numbers();

@@ -11,7 +11,7 @@
 namespace penumbra {
 namespace {
 
-std::string complaint(void (*use)()) {
+std::string problem(void (*use)()) {
   try {
     use();
   } catch (const std::invalid_argument& error) {
@@ -79,14 +79,14 @@ TEST(JsonText, ValuesAreTakenOut) {
 }
 
 TEST(JsonText, WhatIsOfAnotherKindIsRefused) {
-  EXPECT_EQ(complaint([] { json_from_text("{}").at("x"); }), "there is no `x`");
-  EXPECT_EQ(complaint([] { json_from_text("[]").at("x"); }), "expected an object, found an array");
-  EXPECT_EQ(complaint([] { json_from_text("\"1\"").as<int>(); }), "expected a whole number, found a text");
-  EXPECT_EQ(complaint([] { json_from_text("1.5").as<int>(); }), "expected a whole number, found a number");
-  EXPECT_EQ(complaint([] { json_from_text("null").as<double>(); }), "expected a number, found null");
-  EXPECT_EQ(complaint([] { json_from_text("[1, true]").as<std::vector<int>>(); }),
+  EXPECT_EQ(problem([] { json_from_text("{}").at("x"); }), "there is no `x`");
+  EXPECT_EQ(problem([] { json_from_text("[]").at("x"); }), "expected an object, found an array");
+  EXPECT_EQ(problem([] { json_from_text("\"1\"").as<int>(); }), "expected a whole number, found a text");
+  EXPECT_EQ(problem([] { json_from_text("1.5").as<int>(); }), "expected a whole number, found a number");
+  EXPECT_EQ(problem([] { json_from_text("null").as<double>(); }), "expected a number, found null");
+  EXPECT_EQ(problem([] { json_from_text("[1, true]").as<std::vector<int>>(); }),
             "expected a whole number, found true or false");
-  EXPECT_EQ(complaint([] { json_from_text("2147483648").as<int>(); }), "a whole number is too large");
+  EXPECT_EQ(problem([] { json_from_text("2147483648").as<int>(); }), "a whole number is too large");
 }
 
 TEST(JsonText, WhatIsNotJsonIsRefused) {

@@ -9,7 +9,7 @@
 namespace penumbra {
 namespace {
 
-std::string complaint(void (*use)()) {
+std::string problem(void (*use)()) {
   try {
     use();
   } catch (const std::runtime_error& error) {
@@ -26,13 +26,13 @@ TEST(SharedLibrary, FindsFunctions) {
 }
 
 TEST(SharedLibrary, SaysWhatToDoAboutAMissingOne) {
-  EXPECT_EQ(complaint([] { SharedLibrary("libnowhere.so.1", "install nowhere"); }),
+  EXPECT_EQ(problem([] { SharedLibrary("libnowhere.so.1", "install nowhere"); }),
             "cannot load libnowhere.so.1 (libnowhere.so.1: cannot open shared object file: No such file or directory): "
             "install nowhere");
 }
 
 TEST(SharedLibrary, NamesAMissingFunction) {
-  EXPECT_EQ(complaint([] {
+  EXPECT_EQ(problem([] {
               void (*none)() = nullptr;
               SharedLibrary("libm.so.6", "it is part of libc").load("no_such_function", none);
             }),

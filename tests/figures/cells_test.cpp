@@ -23,7 +23,7 @@ TEST(Cells, HaveEqualAreas) {
   }
 }
 
-// A cell's middle, and places just inside its corners, are in it.
+// A cell's middle, and points just inside its corners, are in it.
 TEST(Cells, AreWhereTheySay) {
   for (std::size_t n = 1; n <= 100; n++) {
     const EqualCells cells(n);

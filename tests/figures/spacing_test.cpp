@@ -18,9 +18,9 @@ double torus_distance(const PlanePoint& a, const PlanePoint& b) {
   return std::hypot(along(a.x - b.x), along(a.y - b.y));
 }
 
-double nearest_point(const std::vector<PlanePoint>& points, const PlanePoint& place) {
+double nearest_point(const std::vector<PlanePoint>& points, const PlanePoint& point) {
   double nearest = 2;
-  for (const PlanePoint& p : points) nearest = std::min(nearest, torus_distance(p, place));
+  for (const PlanePoint& p : points) nearest = std::min(nearest, torus_distance(p, point));
   return nearest;
 }
 

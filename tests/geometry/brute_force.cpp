@@ -61,6 +61,22 @@ void cross_shape(const Cylinder& cylinder, Vec3 o, Vec3 d, std::vector<Crossing>
   }
 }
 
+void cross_shape(const Cone& cone, Vec3 o, Vec3 d, std::vector<Crossing>& out) {
+  const Vec3 from = o - cone.apex;
+  const double k2 = cone.slope * cone.slope;
+  const double a = d.x * d.x + d.z * d.z - k2 * d.y * d.y;
+  const double b = from.x * d.x + from.z * d.z - k2 * from.y * d.y;
+  const double c = from.x * from.x + from.z * from.z - k2 * from.y * from.y;
+  for (const double sign : {-1.0, 1.0}) {
+    const double t = a == 0 ? -c / (2 * b) : (-b + sign * std::sqrt(b * b - a * c)) / a;
+    const Vec3 p = from + d * t;
+    if (p.y >= 0 && p.y <= cone.height) out.push_back({t, {p.x, -k2 * p.y, p.z}});
+  }
+  const double t = (cone.height - from.y) / d.y;
+  const Vec3 p = from + d * t;
+  if (p.x * p.x + p.z * p.z <= k2 * cone.height * cone.height) out.push_back({t, {0, 1, 0}});
+}
+
 void cross_triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 o, Vec3 d, std::vector<Crossing>& out) {
   const Vec3 normal = cross(b - a, c - a);
   const double t = dot(normal, a - o) / dot(normal, d);
@@ -117,9 +133,10 @@ BruteHit BruteForce::intersect(const BruteRay& ray) const {
       d = transform_vector(step.inverse, d);
     }
     crossings.clear();
-    if (const auto* sphere = std::get_if<Sphere>(&item.shape)) cross_shape(*sphere, o, d, crossings);
-    if (const auto* box = std::get_if<Box>(&item.shape)) cross_shape(*box, o, d, crossings);
-    if (const auto* cylinder = std::get_if<Cylinder>(&item.shape)) cross_shape(*cylinder, o, d, crossings);
+    const auto cross_analytic = [&]<typename Kind>(const Kind& shape) {
+      if constexpr (AnalyticShape<Kind>) cross_shape(shape, o, d, crossings);
+    };
+    std::visit(cross_analytic, item.shape);
     if (!item.corners.empty()) {
       const Vec3 moment = cross(item.center - o, d);
       if (dot(moment, moment) > item.radius_squared * dot(d, d)) continue;

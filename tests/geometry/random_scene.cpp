@@ -73,11 +73,13 @@ Vec3 random_motion(Random& random) { return random() % 2 == 0 ? Vec3{} : random_
 
 Shape random_shape(Random& random, double extent) {
   const Vec3 p = random_point(random, extent);
-  switch (random() % 4) {
+  switch (random() % 5) {
     case 0:
       return Sphere{p, uniform(random, 0.3, 1.5)};
     case 1:
       return Box{p, p + Vec3{uniform(random, 0.3, 2), uniform(random, 0.3, 2), uniform(random, 0.3, 2)}};
+    case 2:
+      return Cone{p, uniform(random, 0.4, 2.5), std::exp(uniform(random, -2, 1))};
     default:
       return Cylinder{uniform(random, 0.3, 1.2), p.x, p.z, p.y, p.y + uniform(random, 0.4, 2.5), random() % 2 == 0};
   }

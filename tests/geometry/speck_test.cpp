@@ -31,8 +31,10 @@ std::vector<Form> forms() {
   return {{"sphere", "sphere 1 0 0 0\n"},
           {"box", "box -0.6 -0.5 -0.4 0.6 0.5 0.4\n"},
           {"cylinder", "cylinder 0.6 0 0 -0.7 0.7\n"},
+          {"cone", "cone 0 -0.5 0 1.1 0.6\n"},
           {"turned box", "push\nrotate 40 1 2 3\nbox -0.6 -0.5 -0.4 0.6 0.5 0.4\npop\n"},
           {"turned cylinder", "push\nrotate 70 1 2 3\ncylinder 0.6 0 0 -0.7 0.7\npop\n"},
+          {"turned cone", "push\nrotate 160 1 2 3\ncone 0 -0.5 0 1.1 0.6\npop\n"},
           {"ellipsoid", "push\nrotate 30 3 1 2\nscale 1 0.5 0.7\nsphere 1 0 0 0\npop\n"},
           {"triangles", mesh_text(1)},
           {"mesh", mesh_text(4)}};

@@ -37,6 +37,7 @@ Object make_sphere(SceneMaker& maker) { return maker.object(Sphere{{0.3, 0.1, -0
 Object make_box(SceneMaker& maker) { return maker.object(Box{{-1.3, -1, -1.1}, {1.2, 1.4, 1}}); }
 Object make_cylinder(SceneMaker& maker) { return maker.object(Cylinder{1.2, 0.1, 0.2, -1.3, 1.1, true}); }
 Object make_hollow(SceneMaker& maker) { return maker.object(Cylinder{1.2, 0.1, 0.2, -1.3, 1.1, false}); }
+Object make_cone(SceneMaker& maker) { return maker.object(Cone{{0.1, -1.3, 0.2}, 2.4, 0.6}); }
 Object make_ellipsoid(SceneMaker& maker) {
   return maker.object(Sphere{{0, 0, 0}, 1}, rotation(30, {1, 2, 3}) * scaling({1, 1.5, 2}));
 }
@@ -50,10 +51,9 @@ struct Kind {
 
   friend void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 };
-constexpr std::array kinds{Kind{"sphere", make_sphere},       Kind{"box", make_box},
-                           Kind{"cylinder", make_cylinder},   Kind{"hollow", make_hollow},
-                           Kind{"ellipsoid", make_ellipsoid}, Kind{"moving", make_moving},
-                           Kind{"mesh", make_mesh},           Kind{"moving_mesh", make_moving_mesh}};
+constexpr std::array kinds{Kind{"sphere", make_sphere}, Kind{"box", make_box},   Kind{"cylinder", make_cylinder},
+                           Kind{"hollow", make_hollow}, Kind{"cone", make_cone}, Kind{"ellipsoid", make_ellipsoid},
+                           Kind{"moving", make_moving}, Kind{"mesh", make_mesh}, Kind{"moving_mesh", make_moving_mesh}};
 
 // Of the rays that hit anything: how many do not have `wanted`.
 int hits_of_others(const Scene& scene, std::uint32_t wanted, std::uint32_t embree_threshold) {

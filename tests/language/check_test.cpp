@@ -36,7 +36,9 @@ TEST(Check, saysWhatIsInAScene) {
   const SceneFile file = read(
       "image_size 640 480\nrays_per_pixel 64\nsampler random\nseed 5\nfov 45\neye 0 1 2\nlens .1 4\n"
       "shutter 0 .5\nbackground .2 .4 .8\n" +
-      light + "disk_light 0 5 0 1 0 -1 0 1 1 1\nspotlight 0 5 0 0 -1 0 10 20 1 1 1\n" + light + ball +
+      light +
+      "disk_light 0 5 0 1 0 -1 0 1 1 1\nquad_light 0 5 0 1 0 0 0 0 1 1 1 1\nspotlight 0 5 0 0 -1 0 10 20 1 1 1\n" +
+      light + ball +
       "surface 1 0 0\nbox 0 0 0 1 1 1\nmoving_object 1 0 0\ncylinder 1 0 0 0 1\n"
       "hollow_cylinder 1 0 0 0 1\nbegin_list\n" +
       triangle + triangle + ball +
@@ -50,7 +52,7 @@ TEST(Check, saysWhatIsInAScene) {
       "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
       "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
       "  background 0.2 0.4 0.8\n"
-      "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+      "  lights     2 point lights, 1 disk light, 1 quad light, 1 spotlight\n"
       "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
       "  surfaces   2\n"
       "  lens       F and n unknown, aperture 0.2, focus P 4\n"
@@ -82,6 +84,14 @@ TEST(Check, saysWhatIsInAScene) {
       "             5 instance                   4.5      0.0125     1.60948\n"
       "             6 instance                   4.5      0.0125     1.60948\n"
       "1 warning\n");
+}
+
+TEST(Check, countsConesToo) {
+  const std::string cone = "cone 0 0 -4 1 2\n";
+  EXPECT_NE(describe(read(light + cone)).find("  objects    1 cone\n"), std::string::npos);
+  const std::string text = describe(read(light + "lens 1 4\n" + cone + triangle + cone + "box 0 0 0 1 1 1\n"));
+  EXPECT_NE(text.find("  objects    1 box, 2 cones, 1 triangle\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 1 cone                         4 "), std::string::npos) << text;
 }
 
 TEST(Check, hasAnExitCodeForEachCase) {

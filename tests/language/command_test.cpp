@@ -45,6 +45,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "light",
                            "point_light",
                            "disk_light",
+                           "quad_light",
                            "spotlight",
                            "surface",
                            "diffuse",
@@ -65,6 +66,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "box",
                            "cylinder",
                            "hollow_cylinder",
+                           "cone",
                            "mesh",
                            "moving_object",
                            "begin_list",
@@ -92,7 +94,7 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "shadow_rays"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
-  EXPECT_EQ(all_commands().size(), 61u);
+  EXPECT_EQ(all_commands().size(), 63u);
 }
 
 // Every command has an error for one argument too many and, if it takes any, for one too few.
@@ -232,11 +234,12 @@ TEST(Camera, isNotMovedByTheMatrix) {
   EXPECT_EQ(std::get<PointLight>(scene.lights[0]).position, (Vec3{1, 1, 1}));
 }
 
-TEST(Lights, areOfThreeKinds) {
+TEST(Lights, areOfFourKinds) {
   const Scene scene = scene_of(ball +
                                "light 1 2 3 .4 .5 .6\npoint_light 7 8 9 .1 .2 .3\n"
-                               "disk_light 1 2 3 .9 0 -1 0 .8 .7 .6\nspotlight 1 2 3 0 -1 0 20 30 1 .5 .25\n");
-  ASSERT_EQ(scene.lights.size(), 4u);
+                               "disk_light 1 2 3 .9 0 -1 0 .8 .7 .6\nspotlight 1 2 3 0 -1 0 20 30 1 .5 .25\n"
+                               "quad_light 1 2 3 .4 0 .1 0 .2 -.3 .8 .7 .6\n");
+  ASSERT_EQ(scene.lights.size(), 5u);
   EXPECT_EQ(std::get<PointLight>(scene.lights[0]).color, (Vec3{.4, .5, .6}));
   EXPECT_EQ(std::get<PointLight>(scene.lights[1]).position, (Vec3{7, 8, 9}));
   const auto& disk = std::get<DiskLight>(scene.lights[2]);
@@ -249,6 +252,11 @@ TEST(Lights, areOfThreeKinds) {
   EXPECT_EQ(spot.inner_degrees, 20);
   EXPECT_EQ(spot.outer_degrees, 30);
   EXPECT_EQ(spot.color, (Vec3{1, .5, .25}));
+  const auto& quad = std::get<QuadLight>(scene.lights[4]);
+  EXPECT_EQ(quad.center, (Vec3{1, 2, 3}));
+  EXPECT_EQ(quad.u, (Vec3{.4, 0, .1}));
+  EXPECT_EQ(quad.v, (Vec3{0, .2, -.3}));
+  EXPECT_EQ(quad.color, (Vec3{.8, .7, .6}));
 }
 
 TEST(Lenient, skipsCommandsOfOtherProgramsWithAWarning) {

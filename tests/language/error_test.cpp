@@ -79,6 +79,13 @@ TEST(Errors, aboutTheRangeOfArguments) {
       {"hollow_cylinder 0 0 0 0 1",
        "s.cli:1:17: error: `radius` of `hollow_cylinder` has to be greater than 0; found `0`\n"
        "  hollow_cylinder 0 0 0 0 1\n                  ^\n"},
+      {"cone 0 0 0 -1 1",
+       "s.cli:1:12: error: `h` of `cone` has to be greater than 0; found `-1`\n  cone 0 0 0 -1 1\n             ^~\n"},
+      {"cone 0 0 0 1 0",
+       "s.cli:1:14: error: `k` of `cone` has to be greater than 0; found `0`\n  cone 0 0 0 1 0\n               ^\n"},
+      {"cone 0 0 0 1e20 1e20", "s.cli:1:1: error: this cone is too large at its top\n  cone 0 0 0 1e20 1e20\n  ^~~~\n"},
+      {"cone 0 3e38 0 3e38 .1",
+       "s.cli:1:1: error: this cone is too large at its top\n  cone 0 3e38 0 3e38 .1\n  ^~~~\n"},
       {"disk_light 0 0 0 -1 0 1 0 1 1 1",
        "s.cli:1:18: error: `radius` of `disk_light` has to be 0 or more; found `-1`\n"
        "  disk_light 0 0 0 -1 0 1 0 1 1 1\n                   ^~\n"},
@@ -162,6 +169,15 @@ TEST(Errors, aboutTheCamera) {
       {"disk_light 0 0 0 1 0 0 0 1 1 1",
        "s.cli:1:20: error: the direction of `disk_light` has no length\n"
        "  disk_light 0 0 0 1 0 0 0 1 1 1\n                     ^\n"},
+      {"quad_light 0 0 0 .1 .2 .3 -.3 -.6 -.9 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 .1 .2 .3 -.3 -.6 -.9 1 1 1\n                   ^~\n"},
+      {"quad_light 0 0 0 0 0 0 1 0 0 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 0 0 0 1 0 0 1 1 1\n                   ^\n"},
+      {"quad_light 0 0 0 1 0 0 0 0 0 1 1 1",
+       "s.cli:1:18: error: the two half edges of `quad_light` lie on one line\n"
+       "  quad_light 0 0 0 1 0 0 0 0 0 1 1 1\n                   ^\n"},
   });
 }
 
@@ -185,8 +201,8 @@ TEST(Errors, aboutPolygons) {
        "s.cli:7:1: error: `end` without a `begin` before it\n  end\n  ^~~\n  did you mean `end_accel`?\n"},
   });
   for (const char* command : {"write f", "render", "box 0 0 0 1 1 1", "cylinder 1 0 0 0 1", "hollow_cylinder 1 0 0 0 1",
-                              "moving_sphere 1 0 0 0 1 1 1", "mesh a.obj", "moving_object 1 1 1", "begin_list",
-                              "begin_accel", "named_object n", "instance n", "end_list", "end_accel"}) {
+                              "cone 0 0 0 1 1", "moving_sphere 1 0 0 0 1 1 1", "mesh a.obj", "moving_object 1 1 1",
+                              "begin_list", "begin_accel", "named_object n", "instance n", "end_list", "end_accel"}) {
     EXPECT_NE(told("begin\n" + std::string(command) + "\n").find("may not stand between"), std::string::npos)
         << command;
   }

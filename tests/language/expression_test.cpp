@@ -17,7 +17,7 @@ double value_of(const std::string& expression, const Moment& moment = {}) {
 }
 
 // The first line of the error of `eye EXPRESSION 0 0`.
-std::string complaint(const std::string& expression) {
+std::string problem(const std::string& expression) {
   const SceneFile file = read("eye " + expression + " 0 0\n");
   EXPECT_TRUE(file.actions.empty()) << expression;
   EXPECT_EQ(file.diagnostics.size(), 1u) << expression;
@@ -94,38 +94,38 @@ TEST(Expression, isWrongAtItsPlace) {
             "s.cli:1:12: error: unknown name `fram` in this expression\n  eye 1 {2 * fram} 3\n             ^~~~\n  did "
             "you mean "
             "`frame`?\n");
-  EXPECT_EQ(complaint("{1 + $}"), "s.cli:1:10: error: `$` is not allowed in an expression");
-  EXPECT_EQ(complaint("{frame = 3}"), "s.cli:1:12: error: `=` is not allowed in an expression");
-  EXPECT_EQ(complaint("{\"a\"}"), "s.cli:1:6: error: `\"` is not allowed in an expression");
-  EXPECT_EQ(complaint("{1e}"), "s.cli:1:6: error: a number in this expression is incomplete");
-  EXPECT_EQ(complaint("{1e999}"), "s.cli:1:6: error: the number `1e999` is too large");
-  EXPECT_EQ(complaint("{}"), "s.cli:1:5: error: this expression is empty");
-  EXPECT_EQ(complaint("{  }"), "s.cli:1:6: error: this expression is empty");
-  EXPECT_EQ(complaint("{1 + }"), "s.cli:1:6: error: this expression ends too early");
-  EXPECT_EQ(complaint("{(1 + 2}"), "s.cli:1:6: error: a `)` is missing in this expression");
-  EXPECT_EQ(complaint("{1, 2}"), "s.cli:1:6: error: this expression has more than one value");
-  EXPECT_EQ(complaint("{1 2}"), "s.cli:1:8: error: `2` makes no sense at this place in the expression");
-  EXPECT_EQ(complaint("{1 * / 2}"), "s.cli:1:10: error: `/` makes no sense at this place in the expression");
-  EXPECT_EQ(complaint("{sin()}"), "s.cli:1:6: error: a function in this expression has too few arguments");
-  EXPECT_EQ(complaint("{sin(1, 2)}"), "s.cli:1:6: error: a function in this expression has too many arguments");
-  EXPECT_EQ(complaint("{1 ? 2}"), "s.cli:1:6: error: a `?` needs a `:` and another value in this expression");
-  EXPECT_EQ(complaint("{1}2"), "s.cli:1:8: error: `2` may not follow a `}` without a blank");
-  EXPECT_EQ(complaint("{" + std::string(1001, '1') + "}"),
+  EXPECT_EQ(problem("{1 + $}"), "s.cli:1:10: error: `$` is not allowed in an expression");
+  EXPECT_EQ(problem("{frame = 3}"), "s.cli:1:12: error: `=` is not allowed in an expression");
+  EXPECT_EQ(problem("{\"a\"}"), "s.cli:1:6: error: `\"` is not allowed in an expression");
+  EXPECT_EQ(problem("{1e}"), "s.cli:1:6: error: a number in this expression is incomplete");
+  EXPECT_EQ(problem("{1e999}"), "s.cli:1:6: error: the number `1e999` is too large");
+  EXPECT_EQ(problem("{}"), "s.cli:1:5: error: this expression is empty");
+  EXPECT_EQ(problem("{  }"), "s.cli:1:6: error: this expression is empty");
+  EXPECT_EQ(problem("{1 + }"), "s.cli:1:6: error: this expression ends too early");
+  EXPECT_EQ(problem("{(1 + 2}"), "s.cli:1:6: error: a `)` is missing in this expression");
+  EXPECT_EQ(problem("{1, 2}"), "s.cli:1:6: error: this expression has more than one value");
+  EXPECT_EQ(problem("{1 2}"), "s.cli:1:8: error: `2` makes no sense at this place in the expression");
+  EXPECT_EQ(problem("{1 * / 2}"), "s.cli:1:10: error: `/` makes no sense at this place in the expression");
+  EXPECT_EQ(problem("{sin()}"), "s.cli:1:6: error: a function in this expression has too few arguments");
+  EXPECT_EQ(problem("{sin(1, 2)}"), "s.cli:1:6: error: a function in this expression has too many arguments");
+  EXPECT_EQ(problem("{1 ? 2}"), "s.cli:1:6: error: a `?` needs a `:` and another value in this expression");
+  EXPECT_EQ(problem("{1}2"), "s.cli:1:8: error: `2` may not follow a `}` without a blank");
+  EXPECT_EQ(problem("{" + std::string(1001, '1') + "}"),
             "s.cli:1:6: error: an expression may not have more than 1000 bytes");
 }
 
 TEST(Expression, hasToBeClosedInItsLine) {
   EXPECT_EQ(told("eye 1 {2 + 3 4\n"),
             "s.cli:1:7: error: this `{` has no `}` on the same line\n  eye 1 {2 + 3 4\n        ^\n");
-  EXPECT_EQ(complaint("{1 # }"), "s.cli:1:5: error: this `{` has no `}` on the same line");
+  EXPECT_EQ(problem("{1 # }"), "s.cli:1:5: error: this `{` has no `}` on the same line");
 }
 
 TEST(Expression, hasToBeFinite) {
   EXPECT_EQ(told("eye {1 / t} 0 0"),
             "s.cli:1:5: error: `{1 / t}` is not finite when frame is 0 and t is 0\n  eye {1 / t} 0 0\n      "
             "^~~~~~~\n");
-  EXPECT_EQ(complaint("{sqrt(-1)}"), "s.cli:1:5: error: `{sqrt(-1)}` is not finite when frame is 0 and t is 0");
-  EXPECT_EQ(complaint("{10^39}"), "s.cli:1:5: error: `{10^39}` is not finite when frame is 0 and t is 0");
+  EXPECT_EQ(problem("{sqrt(-1)}"), "s.cli:1:5: error: `{sqrt(-1)}` is not finite when frame is 0 and t is 0");
+  EXPECT_EQ(problem("{10^39}"), "s.cli:1:5: error: `{10^39}` is not finite when frame is 0 and t is 0");
 }
 
 TEST(Expression, hasToBeInTheRangeOfItsArgument) {

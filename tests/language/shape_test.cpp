@@ -8,9 +8,9 @@ const std::string quad = "begin\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nverte
 TEST(Shapes, areReadInEveryForm) {
   const Scene scene = scene_of(light +
                                "sphere 2 1 2 3\nmoving_sphere .5 1 2 3 4 6 8\nbox 1 5 -4 0 2 -6\n"
-                               "cylinder 1 2 3 4 5\nhollow_cylinder 1 2 3 5 4\n" +
+                               "cylinder 1 2 3 4 5\nhollow_cylinder 1 2 3 5 4\ncone 1 2 3 4 5\n" +
                                triangle);
-  ASSERT_EQ(scene.root.objects.size(), 6u);
+  ASSERT_EQ(scene.root.objects.size(), 7u);
   const auto& objects = scene.root.objects;
   EXPECT_EQ(shape_of<Sphere>(objects[0]).center, (Vec3{1, 2, 3}));
   EXPECT_EQ(shape_of<Sphere>(objects[0]).radius, 2);
@@ -29,7 +29,11 @@ TEST(Shapes, areReadInEveryForm) {
   EXPECT_FALSE(hollow.capped);
   EXPECT_EQ(hollow.y_min, 4);
   EXPECT_EQ(hollow.y_max, 5);
-  EXPECT_EQ(shape_of<TriangleRange>(objects[5]).count, 1u);
+  const auto& cone = shape_of<Cone>(objects[5]);
+  EXPECT_EQ(cone.apex, (Vec3{1, 2, 3}));
+  EXPECT_EQ(cone.height, 4);
+  EXPECT_EQ(cone.slope, 5);
+  EXPECT_EQ(shape_of<TriangleRange>(objects[6]).count, 1u);
   for (const Object& object : objects) EXPECT_EQ(object.placement, 0u);
 }
 
@@ -161,11 +165,13 @@ TEST(Course, movesTheTwoCornersOfABoxAndSortsThem) {
 }
 
 TEST(Course, leavesTheRestToTheFullMatrix) {
-  const Scene scene = scene_of(light + "scale 2 1 1\ncylinder 1 0 0 0 1\nsphere 1 0 0 0\nnamed_object s\ninstance s\n",
-                               {.course = true});
+  const Scene scene =
+      scene_of(light + "scale 2 1 1\ncylinder 1 0 0 0 1\nsphere 1 0 0 0\nnamed_object s\ninstance s\ncone 0 0 0 1 1\n",
+               {.course = true});
   EXPECT_EQ(scene.root.objects[0].placement, 1u);
   EXPECT_EQ(scene.definitions[0].placement, 0u);
   EXPECT_EQ(scene.root.objects[1].placement, 1u) << "an instance has its full matrix";
+  EXPECT_EQ(scene.root.objects[2].placement, 1u);
 }
 
 TEST(Course, refusesPositionsThatAreTooFar) {

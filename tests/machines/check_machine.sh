@@ -46,6 +46,7 @@ glossy .4 .3 .2  .5 .5 .5  30  .4 .2
 SCENE
 cp "$folder/shapes.cli" "$folder/mesh.cli"
 echo "cylinder .6  .5 -5  -1 1" >> "$folder/shapes.cli"
+echo "cone -.6 -1 -5  1 .5" >> "$folder/shapes.cli"
 # A ball of 4608 triangles: enough for Embree.
 awk 'function vertex(i, k,  a, b) {
        a = i * 3.14159265 / n; b = k * 6.2831853 / n

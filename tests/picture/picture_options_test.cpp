@@ -7,6 +7,7 @@
 
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
+#include "picture/develop.hpp"
 #include "picture/metadata.hpp"
 
 namespace penumbra {
@@ -47,7 +48,7 @@ class PictureOptionsTest : public testing::Test {
     std::string text = scene_text;
     return text.replace(text.find(old_line), old_line.size(), new_line);
   }
-  std::string complaint(const std::string& options) {
+  std::string problem(const std::string& options) {
     const auto result =
         test::run_program(fmt::format("{} render {} -o {} {}", PENUMBRA_PROGRAM, (folder_ / "a.cli").string(),
                                       (folder_ / "x.png").string(), options));
@@ -75,6 +76,13 @@ TEST_F(PictureOptionsTest, SayTheSameAsTheSceneWould) {
   check("10 0.3 0.1\n", "10 0.3 0.4\n", "--gloss 1:0.4");
   check("0.6 1.1 0.3", "0.6 1.1 0.1", "--blur 0.1");
   check("0.6 1.1 0.3", "0.6 1.1 0", "--without translucency");
+}
+
+TEST_F(PictureOptionsTest, LeaveThePointAtTheCentreOfALight) {
+  const std::string disk = "disk_light 2 5 -2 1 0 -1 0 1 1 1", quad = "quad_light 2 5 -2 1 0 0 0.3 0 1 1 1 1";
+  const auto points = pixels(with(disk, "point_light 2 5 -2 1 1 1"), "");
+  EXPECT_EQ(pixels(with(disk, quad), "--without disk-lights"), points);
+  EXPECT_NE(pixels(with(disk, quad), ""), points);
 }
 
 TEST_F(PictureOptionsTest, LaterRadiiWin) {
@@ -114,18 +122,18 @@ TEST_F(PictureOptionsTest, MetadataRepeatThePicture) {
 }
 
 TEST_F(PictureOptionsTest, SayWhatTheyExpect) {
-  EXPECT_NE(complaint("--lens 3").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--lens -1,3").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--lens 1,nan").find("expected RADIUS,DISTANCE"), std::string::npos);
-  EXPECT_NE(complaint("--shutter 1,0").find("expected OPEN,CLOSE"), std::string::npos);
-  EXPECT_NE(complaint("--gloss 0:1").find("NUMBER:RADIUS"), std::string::npos);
-  EXPECT_NE(complaint("--gloss x").find("NUMBER:RADIUS"), std::string::npos);
-  EXPECT_NE(complaint("--gloss 9:0.1").find("--gloss names number 9, but the number of surfaces is 2"),
+  EXPECT_NE(problem("--lens 3").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--lens -1,3").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--lens 1,nan").find("expected RADIUS,DISTANCE"), std::string::npos);
+  EXPECT_NE(problem("--shutter 1,0").find("expected OPEN,CLOSE"), std::string::npos);
+  EXPECT_NE(problem("--gloss 0:1").find("NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(problem("--gloss x").find("NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(problem("--gloss 9:0.1").find("--gloss names number 9, but the number of surfaces is 2"),
             std::string::npos);
-  EXPECT_NE(complaint("--disk-radius 2:0.1").find("--disk-radius names number 2, but the number of lights is 1"),
+  EXPECT_NE(problem("--disk-radius 2:0.1").find("--disk-radius names number 2, but the number of lights is 1"),
             std::string::npos);
-  EXPECT_NE(complaint("--without fog").find("there is no effect `fog`"), std::string::npos);
-  EXPECT_NE(complaint("--exposure 0.3").find("whole number of halves"), std::string::npos);
+  EXPECT_NE(problem("--without fog").find("there is no effect `fog`"), std::string::npos);
+  EXPECT_NE(problem("--exposure 0.3").find("whole number of halves"), std::string::npos);
 }
 
 }  // namespace

@@ -52,6 +52,13 @@ TEST(SceneLines, CameraLightsAndSurfaces) {
             "glossy 0.1 0.2 0.3 0.4 0.5 0.6 20 0.7 0.3\nnoise 4\n");
 }
 
+TEST(SceneLines, LightsWithoutTheirAreas) {
+  PictureOptions options;
+  options.without.add(Effect::disk_lights);
+  const Scene scene = test::scene_from(scene_text + "quad_light 1 5 2 0.5 0 0 0 0 1 0.1 0.2 0.3\n");
+  EXPECT_EQ(changed_lines(scene, options), "disk_light 0 5 0 0 0 -1 0 1 1 1\npoint_light 1 5 2 0.1 0.2 0.3\n");
+}
+
 TEST(SceneLines, WhatHasNoCommandIsAComment) {
   PictureOptions options;
   options.gloss = {{2, 0.3}};

@@ -20,6 +20,7 @@ background 0.2 0.3 0.5
 lens 0.05 5
 light 3 5 2 0.5 0.4 0.3
 disk_light -4 6 0 1.5 0.5 -1 0 0.4 0.5 0.6
+quad_light 2 6 1 0.8 0 0.2 0.1 0.3 0.9 0.3 0.2 0.1
 spotlight 0 5 -4 0 -1 0 10 30 0.6 0.6 0.2
 diffuse 0.6 0.6 0.6 0.1 0.1 0.1
 begin
@@ -41,6 +42,7 @@ begin_list
 cylinder 0.3 0 0 -0.5 0.5
 moving_sphere 0.3 0 0.8 0 0.4 0.9 0
 hollow_cylinder 0.4 0.5 0 0 0.7
+cone -0.5 0 0.2 0.6 0.4
 end_list
 named_object thing
 push

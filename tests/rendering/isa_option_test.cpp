@@ -26,7 +26,7 @@ class IsaOption : public testing::Test {
   }
 
   // What is said against `--isa name`; empty if nothing is.
-  std::string complaint(const std::string& name) {
+  std::string problem(const std::string& name) {
     try {
       EXPECT_EQ(render({"--isa", name}), 0) << name;
       return "";
@@ -58,7 +58,7 @@ TEST_F(IsaOption, RunsTheOneAskedForIntoTheSameFile) {
 
 TEST_F(IsaOption, SaysWhichThereAre) {
   for (const char* name : {"sse42", "avx2", "avx512", "AVX2", "neon", ""}) {
-    const std::string said = complaint(name);
+    const std::string said = problem(name);
     EXPECT_EQ(said.empty(), kernel_from_name(usable_kernels(), name) != nullptr) << said;
     if (said.empty()) continue;
     for (const Kernel* kernel : usable_kernels()) EXPECT_NE(said.find(kernel->isa), std::string::npos) << said;

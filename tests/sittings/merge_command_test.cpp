@@ -59,35 +59,35 @@ TEST_F(Merge, ManyFilesAtOnce) {
 TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
   const Words good = shards(5, {"--rays", "2"});
   put_content(picture_, "old");
-  const auto complaint = [&](const Words& parts, int code = 65) {
+  const auto problem = [&](const Words& parts, int code = 65) {
     EXPECT_EQ(merge(parts, picture_), code) << said();
     EXPECT_EQ(content_of(picture_), "old");
     return said();
   };
-  EXPECT_EQ(complaint({good[0], good[4]}), "penumbra: of 5 shards, from 0, 3 are missing: 1-3\n");
-  EXPECT_EQ(complaint(good + Words{good[3]}),
+  EXPECT_EQ(problem({good[0], good[4]}), "penumbra: of 5 shards, from 0, 3 are missing: 1-3\n");
+  EXPECT_EQ(problem(good + Words{good[3]}),
             "penumbra: shard 3 is there twice: `" + good[3] + "` and `" + good[3] + "`\n");
-  EXPECT_EQ(complaint(good + Words{path("none.exr")}, 66),
+  EXPECT_EQ(problem(good + Words{path("none.exr")}, 66),
             "penumbra: cannot open `" + path("none.exr") + "`: No such file or directory\n");
 
   const std::string other = path("other.exr");
   ASSERT_EQ(render({"--rays", "3", "--shard", "1/5", "-o", other}), 0);
-  EXPECT_EQ(complaint({good[0], other, good[2], good[3], good[4]}),
+  EXPECT_EQ(problem({good[0], other, good[2], good[3], good[4]}),
             "penumbra: `" + other + "` is a part of another picture: its `rays` is 3, and 2 in the others\n" +
                 "penumbra: of 5 shards, from 0, one is missing: 1\n");
 
   ASSERT_EQ(render({"-o", other}), 0);
-  EXPECT_EQ(complaint(good + Words{other}),
+  EXPECT_EQ(problem(good + Words{other}),
             "penumbra: `" + other + "` is not a part of a picture, as `penumbra render --shard` writes them\n");
 
   const std::string whole = content_of(good[1]);
   put_content(good[1], whole.substr(0, whole.size() - 100));
-  EXPECT_NE(complaint(good).find("penumbra: `" + good[1] + "` is a truncated part of a picture: its end is missing\n"),
+  EXPECT_NE(problem(good).find("penumbra: `" + good[1] + "` is a truncated part of a picture: its end is missing\n"),
             std::string::npos);
   std::string damaged = whole;
   damaged[damaged.size() - 1000] ^= 1;
   put_content(good[1], damaged);
-  EXPECT_NE(complaint(good).find("penumbra: `" + good[1] + "` is a damaged part of a picture: block "),
+  EXPECT_NE(problem(good).find("penumbra: `" + good[1] + "` is a damaged part of a picture: block "),
             std::string::npos);
 }
 

@@ -78,7 +78,7 @@ TEST_P(Shards, MergeToTheWholeFilm) {
     std::vector<std::vector<std::byte>> parts = parts_of(setting, count);
     std::shuffle(parts.begin(), parts.end(), random);
     const std::vector<Part> open = opened(parts);
-    EXPECT_EQ(complaints_about(open), std::vector<std::string>());
+    EXPECT_EQ(problems_of(open), std::vector<std::string>());
     EXPECT_TRUE(values_of(merge(open)) == whole) << count;
   }
 }
@@ -95,45 +95,45 @@ class Complaints : public testing::Test {
   const Setting setting_{picture};
   std::vector<std::vector<std::byte>> parts_ = parts_of(setting_, 12);
 
-  std::vector<std::string> complaints() const { return complaints_about(opened(parts_)); }
+  std::vector<std::string> problems() const { return problems_of(opened(parts_)); }
   using Sentences = std::vector<std::string>;
 };
 
 TEST_F(Complaints, WhatIsMissing) {
   parts_.erase(parts_.begin() + 11);
-  EXPECT_EQ(complaints(), Sentences{"of 12 shards, from 0, one is missing: 11"});
+  EXPECT_EQ(problems(), Sentences{"of 12 shards, from 0, one is missing: 11"});
   parts_.erase(parts_.begin() + 5, parts_.begin() + 8);
   parts_.erase(parts_.begin() + 1);
-  EXPECT_EQ(complaints(), Sentences{"of 12 shards, from 0, 5 are missing: 1, 5-7, 11"});
+  EXPECT_EQ(problems(), Sentences{"of 12 shards, from 0, 5 are missing: 1, 5-7, 11"});
 }
 
 TEST_F(Complaints, WhatIsThereTwice) {
   parts_.push_back(parts_[4]);
-  EXPECT_EQ(complaints(), Sentences{"shard 4 is there twice: `part4` and `part12`"});
+  EXPECT_EQ(problems(), Sentences{"shard 4 is there twice: `part4` and `part12`"});
 }
 
 TEST_F(Complaints, WhatIsOfAnotherPicture) {
-  const auto complaint = [&](const auto& change) {
+  const auto problem = [&](const auto& change) {
     Setting other = setting_;
     change(other);
     parts_[0] = part_of(other, {0, 12});
-    const Sentences sentences = complaints();
+    const Sentences sentences = problems();
     EXPECT_EQ(sentences.size(), 2u);
     EXPECT_EQ(sentences.back(), "of 12 shards, from 0, one is missing: 0");
     return sentences.front();
   };
-  EXPECT_EQ(complaint([](Setting& s) { s.key.version = "0.9"; }),
+  EXPECT_EQ(problem([](Setting& s) { s.key.version = "0.9"; }),
             "`part0` is a part of another picture: penumbra 0.9 wrote it, not 1");
-  EXPECT_EQ(complaint([](Setting& s) { s.key.scene.low = 5; }),
+  EXPECT_EQ(problem([](Setting& s) { s.key.scene.low = 5; }),
             "`part0` is a part of another picture: the scene, or a file that it reads, is not the same");
-  EXPECT_EQ(complaint([](Setting& s) { s.key.picture = 2; }),
+  EXPECT_EQ(problem([](Setting& s) { s.key.picture = 2; }),
             "`part0` is a part of another picture: it is of picture 2 of the scene, not of 1");
-  EXPECT_EQ(complaint([](Setting& s) { s.key.plan.emplace_back("seed", "7"); }),
+  EXPECT_EQ(problem([](Setting& s) { s.key.plan.emplace_back("seed", "7"); }),
             "`part0` is a part of another picture: its `seed` is 7, and not given in the others");
-  EXPECT_EQ(complaint([](Setting& s) { s.plan.layers.add(Layer::depth); }),
+  EXPECT_EQ(problem([](Setting& s) { s.plan.layers.add(Layer::depth); }),
             "`part0` is a part of another picture: it is not to be developed as the others are");
   parts_[0] = part_of(setting_, {0, 13});
-  EXPECT_EQ(complaints().front(), "`part0` is a part of another picture: it is one of 13 shards, not of 12");
+  EXPECT_EQ(problems().front(), "`part0` is a part of another picture: it is one of 13 shards, not of 12");
 }
 
 // Any byte that is not what was written, and any end that is too early, is noticed.

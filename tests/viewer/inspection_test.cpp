@@ -25,8 +25,8 @@ sphere 50 0 -51 -5
 class InspectionTest : public testing::Test {
  protected:
   // The picture after `rays` rays per pixel.
-  Refinement picture_of(const PictureOptions& options, std::uint32_t rays) {
-    test::put_content(folder_ / "a.cli", scene_text);
+  Refinement picture_of(const PictureOptions& options, std::uint32_t rays, const std::string& text = scene_text) {
+    test::put_content(folder_ / "a.cli", text);
     Refinement picture;
     picture.loaded = std::make_shared<const LoadedScene>(load_scene(folder_ / "a.cli", {}));
     BuiltWorld world;
@@ -98,6 +98,24 @@ TEST_F(InspectionTest, PlotsEveryDistribution) {
         EXPECT_LE(dot.u * dot.u + dot.v * dot.v, 1 + 1e-3) << plot.name << " is a disk";
       }
     }
+  }
+}
+
+// The plot of a light is that of its random numbers, whatever the angle between its edges.
+TEST_F(InspectionTest, PlotsTheSquareOfAParallelogram) {
+  std::string text = scene_text;
+  const std::string disk = "disk_light 2 5 -2 1 0 -1 0 1 1 1";
+  const Refinement picture =
+      picture_of({}, 64, text.replace(text.find(disk), disk.size(), "quad_light 2 5 -2 1 0 0 0.7 0.3 0.4 1 1 1"));
+  const Inspection inspection = inspect(picture, kernel_, {0, 20, 15, 0});
+  const DotPlot& plot = inspection.plots.at(3);
+  ASSERT_EQ(plot.name, "on light 1");
+  ASSERT_EQ(plot.dots.size(), inspection.shown);
+  std::vector<float> u(inspection.shown), v(inspection.shown);
+  kernel_.sample_points(*picture.sides.front().frame, 20, 15, first_light_radius, u, v);
+  for (std::size_t i = 0; i < plot.dots.size(); i++) {
+    EXPECT_NEAR(plot.dots[i].u, 2 * u[i] - 1, 1e-4);
+    EXPECT_NEAR(plot.dots[i].v, 2 * v[i] - 1, 1e-4);
   }
 }
 

@@ -50,7 +50,7 @@ class SessionTest : public testing::Test {
   void wait_until_done() {
     wait([](const Session& s) { return s.picture_is_current() && s.picture()->done; });
   }
-  void obey(ViewCommandKind kind) { session_->obey({kind}, {200, 150}); }
+  void execute(ViewCommandKind kind) { session_->execute({kind}, {200, 150}); }
 
   test::TestFolder folder_;
   std::optional<Session> session_;
@@ -60,12 +60,12 @@ TEST_F(SessionTest, RaysAreDoubledAndHalved) {
   Session& session = open(std::nullopt);
   wait([](const Session& s) { return s.picture_is_current(); });
   EXPECT_EQ(session.limit(), 0u);
-  obey(ViewCommandKind::more_rays);
+  execute(ViewCommandKind::more_rays);
   EXPECT_EQ(session.limit(), 6u) << "twice what the scene says";
-  obey(ViewCommandKind::fewer_rays);
-  obey(ViewCommandKind::fewer_rays);
+  execute(ViewCommandKind::fewer_rays);
+  execute(ViewCommandKind::fewer_rays);
   EXPECT_EQ(session.limit(), 1u);
-  obey(ViewCommandKind::fewer_rays);
+  execute(ViewCommandKind::fewer_rays);
   EXPECT_EQ(session.limit(), 1u);
   wait_until_done();
   EXPECT_EQ(session.picture()->rays, 1u);
@@ -78,7 +78,7 @@ TEST_F(SessionTest, AnotherSceneForgetsWhatWasChanged) {
   session.change([](PictureOptions& o) { o.lens = {0.4, 7}; });
   session.change_side(0, [](PictureOptions& o) { o.without.toggle(Effect::gloss); });
   EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.4);
-  session.obey({ViewCommandKind::load_scene, 2, false}, {});
+  session.execute({ViewCommandKind::load_scene, 2, false}, {});
   wait_until_done();
   EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.1);
   EXPECT_TRUE(session.options(0).without.empty());
@@ -101,7 +101,7 @@ TEST_F(SessionTest, ALightThatIsGoneIsForgotten) {
 TEST_F(SessionTest, FocusIsPutWhereTheCursorIs) {
   Session& session = open();
   wait_until_done();
-  obey(ViewCommandKind::focus);
+  execute(ViewCommandKind::focus);
   EXPECT_NEAR(session.scene_with_all_effects().camera.focus_distance, 4, 0.01);
   EXPECT_EQ(session.scene_with_all_effects().camera.lens_radius, 0.1);
   wait_until_done();
@@ -111,15 +111,15 @@ TEST_F(SessionTest, FocusIsPutWhereTheCursorIs) {
 TEST_F(SessionTest, TheSplitViewComparesTwoSamplers) {
   Session& session = open();
   wait_until_done();
-  obey(ViewCommandKind::split);
+  execute(ViewCommandKind::split);
   wait([](const Session& s) { return s.picture_is_current() && s.picture()->done && s.picture()->sides.size() == 2; });
   EXPECT_EQ(session.sampler(0), default_pattern);
   EXPECT_EQ(session.sampler(1), Pattern::random);
-  session.obey({ViewCommandKind::toggle_effect, 0, false, Effect::lens}, {});
+  session.execute({ViewCommandKind::toggle_effect, 0, false, Effect::lens}, {});
   EXPECT_TRUE(session.options(0).without.empty());
   EXPECT_TRUE(session.options(1).without.has(Effect::lens));
   wait_until_done();
-  obey(ViewCommandKind::save);
+  execute(ViewCommandKind::save);
   EXPECT_EQ(session.message(), "saved s01a-view-left.png and s01a-view-right.png with 4 rays per pixel");
   const ImageFile right = read_image(folder_ / "s01a-view-right.png");
   EXPECT_NE(
@@ -135,14 +135,14 @@ TEST_F(SessionTest, AFolderThatCannotBeWrittenIsSaid) {
   options.picture.rays = 1;
   session_.emplace(options, [] {});
   wait_until_done();
-  obey(ViewCommandKind::save);
+  execute(ViewCommandKind::save);
   EXPECT_NE(session_->message().find("missing"), std::string::npos) << session_->message();
 }
 
 TEST_F(SessionTest, PausedEditsShowTheirFirstPicture) {
   Session& session = open(std::nullopt);
   wait([](const Session& s) { return s.picture_is_current() && s.picture()->rays >= 2; });
-  obey(ViewCommandKind::pause);
+  execute(ViewCommandKind::pause);
   session.change([](PictureOptions& o) { o.lens = {0.3, 4}; });
   wait([](const Session& s) { return s.picture_is_current(); });
   EXPECT_EQ(session.picture()->rays, 1u);

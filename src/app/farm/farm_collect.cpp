@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void complain(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
+void report(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
 
 class Collection {
  public:
@@ -97,7 +97,7 @@ class Collection {
     }
     const PartFiles files = read_parts(names);
     const auto set_aside = [&](const std::string& name, const std::string& why) {
-      complain(why);
+      report(why);
       missing_.insert(units[name]);
       damaged_.push_back(name);
       whole = false;
@@ -108,8 +108,8 @@ class Collection {
       if (!why.empty()) set_aside(part.name(), fmt::format("`{}` does not belong to this job: {}", part.name(), why));
     }
     if (!whole) return false;
-    if (const auto complaints = complaints_about(files.parts); !complaints.empty()) {
-      for (const std::string& sentence : complaints) complain(sentence);
+    if (const auto problems = problems_of(files.parts); !problems.empty()) {
+      for (const std::string& sentence : problems) report(sentence);
       throw FileError(EX_DATAERR, "remove the parts that do not belong to this job, and collect again");
     }
     write_merged(files.parts, outputs, false);
@@ -130,8 +130,8 @@ class Collection {
   }
 
   void tell_missing() const {
-    complain(fmt::format("of {} parts, numbered from 0, {} missing: {}", job_.units(),
-                         missing_.size() == 1 ? "one is" : fmt::format("{} are", missing_.size()), ranges(missing_)));
+    report(fmt::format("of {} parts, numbered from 0, {} missing: {}", job_.units(),
+                       missing_.size() == 1 ? "one is" : fmt::format("{} are", missing_.size()), ranges(missing_)));
   }
 
   // The tasks of missing units that Slurm no longer has; all of them if Slurm does not answer.
@@ -147,7 +147,7 @@ class Collection {
   // Slurm still has the tasks of all missing units.
   int wait(const FarmCollectOptions& options) const {
     if (!options.resubmit) {
-      complain("Slurm still has their tasks; the merge that waits for them writes the picture");
+      report("Slurm still has their tasks; the merge that waits for them writes the picture");
       return EX_TEMPFAIL;
     }
     fmt::print("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids)));
@@ -161,11 +161,11 @@ class Collection {
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {
-      complain(fmt::format("the scene file `{}` no longer exists", job_.scene));
+      report(fmt::format("the scene file `{}` no longer exists", job_.scene));
       return EX_NOINPUT;
     }
     if (to_hex(file.hash) == job_.scene_hash) return 0;
-    complain(
+    report(
         fmt::format("`{}`, or a file that it reads, has changed since the job was submitted: restore it, or "
                     "remove the job folder and submit again",
                     job_.scene));
@@ -180,7 +180,7 @@ class Collection {
   int resubmit(const std::set<int>& tasks, int most) {
     if (!queue_) throw SlurmError(silence_);
     if (state_.resubmissions >= most) {
-      complain(
+      report(
           fmt::format("they were resubmitted {} times: see the logs in `{}`; `penumbra farm collect` with "
                       "--resubmit or --render finishes the job",
                       state_.resubmissions, (folder_.path() / "logs").string()));

@@ -12,18 +12,18 @@
 namespace penumbra {
 namespace {
 
-void complain(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
+void report(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
 
 int merge_parts(const MergeOptions& options) {
   const PartFiles files = read_parts(options.parts);
   int exit_code = 0;
   for (const PartFiles::Failure& failure : files.failures) {
-    complain(failure.error.what());
+    report(failure.error.what());
     exit_code = exit_code == EX_DATAERR ? EX_DATAERR : failure.error.exit_code;
   }
   if (!files.parts.empty()) {
-    for (const std::string& sentence : complaints_about(files.parts)) {
-      complain(sentence);
+    for (const std::string& sentence : problems_of(files.parts)) {
+      report(sentence);
       exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
     }
   }
@@ -55,7 +55,7 @@ int merge_command(const MergeOptions& options) {
   try {
     return merge_parts(options);
   } catch (const FileError& error) {
-    complain(error.what());
+    report(error.what());
     return error.exit_code;
   }
 }

@@ -23,7 +23,7 @@ struct PartFiles {
 
 PartFiles read_parts(const std::vector<std::string>& names);
 
-// Merges parts without complaints_about() and writes their picture. Throws FileError.
+// Merges parts without problems_of() and writes their picture. Throws FileError.
 void write_merged(const std::vector<Part>& parts, const std::vector<std::string>& outputs, bool quiet);
 
 }  // namespace penumbra

@@ -46,7 +46,7 @@ std::string check_frames(const RenderOptions& options) {
     if (options.frame) return "--frame: it needs --frames";
     return options.video.empty() ? "" : "--video: it needs --frames";
   }
-  const FrameRange& range = *options.frames;
+  const AnimationRange& range = *options.frames;
   if (options.frame && (*options.frame < range.first || *options.frame > range.last)) {
     return fmt::format("--frame: {} is not one of the frames {}-{}", *options.frame, range.first, range.last);
   }

@@ -14,7 +14,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
 
 }  // namespace
 
-std::filesystem::path with_frame_number(const std::filesystem::path& file, const FrameOfRange& frame) {
+std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame) {
   const std::string name = fmt::format("{}.{:0{}}{}", file.stem().string(), frame.frame, frame_digits(frame.last),
                                        file.extension().string());
   return file.parent_path() / name;

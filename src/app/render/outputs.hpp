@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "language/scene_file.hpp"
-#include "picture/frame_of_range.hpp"
+#include "picture/animation.hpp"
 
 namespace penumbra {
 
@@ -18,7 +18,7 @@ std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<A
                                                              const std::vector<std::string>& outputs);
 
 // OUT.0007.ext for OUT.ext.
-std::filesystem::path with_frame_number(const std::filesystem::path& file, const FrameOfRange& frame);
+std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame);
 
 // The number of digits of frame numbers: as many as the last frame of the animation has, but at least four.
 int frame_digits(int last_frame);

@@ -18,7 +18,7 @@ std::vector<std::optional<int>> frames_to_render(const PictureOptions& options) 
   if (!options.frames) return {std::nullopt};
   if (options.frame) return {options.frame};
   std::vector<std::optional<int>> frames;
-  const FrameRange& range = *options.frames;
+  const AnimationRange& range = *options.frames;
   for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {
     frames.emplace_back(static_cast<int>(frame));
   }
@@ -36,7 +36,7 @@ void SceneFrames::go_to(std::optional<int> frame) {
   options_.frame = frame;
   if (is_read_ && (!file_.varies || frame == read_frame_)) return;
   ReadOptions read_options{.course = options_.course, .lenient = options_.lenient, .hash = hash_};
-  if (const auto of_range = options_.frame_of_range()) {
+  if (const auto of_range = options_.animation_frame()) {
     read_options.moment = {static_cast<double>(of_range->frame), of_range->time_at(0)};
   }
   const auto start = std::chrono::steady_clock::now();
@@ -81,7 +81,7 @@ void SceneFrames::require_hash() const {
 
 std::vector<std::vector<std::filesystem::path>> SceneFrames::outputs() const {
   auto files = output_files(file_.actions, options_.scene, options_.outputs);
-  const auto frame = options_.frame_of_range();
+  const auto frame = options_.animation_frame();
   if (!frame) return files;
   for (auto& of_picture : files) {
     for (std::filesystem::path& file : of_picture) file = with_frame_number(file, *frame);

@@ -23,7 +23,7 @@ struct Panel {
 
   PixelRect window() const { return {left, top, left + panel_size, top + panel_size}; }
   // A position in the panel as fractions of its sides, y down.
-  Canvas::Place at(double x, double y) const { return {left + x * panel_size, top + y * panel_size}; }
+  Canvas::Point at(double x, double y) const { return {left + x * panel_size, top + y * panel_size}; }
 };
 constexpr Panel points_panel{34, 24}, picture_panel{454, 24}, curve_panel{874, 24};
 
@@ -76,10 +76,10 @@ void draw_points(Canvas& canvas, const PatternPlot& plot) {
   canvas.clip_to(points_panel.window());
   draw_cells(canvas, EqualCells(plot.points.size()));
   at_all_copies(plot.empty.centre,
-                [&](Canvas::Place centre) { canvas.ring(centre, plot.empty.radius * panel_size, 1.5, blue); });
+                [&](Canvas::Point centre) { canvas.ring(centre, plot.empty.radius * panel_size, 1.5, blue); });
   const double radius = std::clamp(0.09 * panel_size / std::sqrt(static_cast<double>(plot.points.size())), 0.6, 4.0);
   const auto dot = [&](const PlanePoint& p, const Canvas::Color& color) {
-    at_all_copies(p, [&](Canvas::Place centre) { canvas.disk(centre, radius, color); });
+    at_all_copies(p, [&](Canvas::Point centre) { canvas.disk(centre, radius, color); });
   };
   for (const PlanePoint& p : plot.points) dot(p, ink);
   if (plot.points.size() > 1) {
@@ -139,7 +139,7 @@ void draw_curve(Canvas& canvas, const Spectrum& spectrum, double root_n) {
   }
   canvas.line(place(0, 1), place(spectrum.limit(), 1), 1.5, frame_color);
   const std::vector<double> radial = spectrum.radial();
-  std::vector<Canvas::Place> curve;
+  std::vector<Canvas::Point> curve;
   for (std::size_t k = 1; k < radial.size(); k++) {
     // A peak may lie far above the panel.
     curve.push_back(place(static_cast<double>(k), std::min(radial[k], 4 * highest_power)));

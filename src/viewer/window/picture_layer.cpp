@@ -1,6 +1,7 @@
 #include "viewer/window/picture_layer.hpp"
 
 #include <imgui.h>
+#include "picture/develop.hpp"
 
 #include <cmath>
 

@@ -99,13 +99,13 @@ class WindowLoop {
     if (const auto place = mouse_.take_click()) session_.inspect_at(*place);
     switch (event.type) {
       case SDL_QUIT:
-        obey({ViewCommandKind::quit});
+        execute({ViewCommandKind::quit});
         break;
       case SDL_KEYDOWN:
-        if (!typing) obey(command_of_key(pressed_key(event.key)));
+        if (!typing) execute(command_of_key(pressed_key(event.key)));
         break;
       case SDL_TEXTINPUT:
-        if (!typing) obey(command_of_text(event.text.text));
+        if (!typing) execute(command_of_text(event.text.text));
         break;
       case SDL_DROPFILE:
         session_.open(event.drop.file);
@@ -121,8 +121,8 @@ class WindowLoop {
             (key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0, key.repeat != 0};
   }
 
-  void obey(const ViewCommand& command) {
-    session_.obey(command, mouse_.cursor());
+  void execute(const ViewCommand& command) {
+    session_.execute(command, mouse_.cursor());
     if (command.kind == ViewCommandKind::copy) copy();
   }
 

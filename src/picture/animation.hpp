@@ -6,13 +6,13 @@ namespace penumbra {
 inline constexpr int last_possible_frame = 999'999;
 
 // Frames first, first + step, ... of an animation that runs from `first` to `last`.
-struct FrameRange {
+struct AnimationRange {
   int first = 0, last = 0, step = 1;
 
-  bool operator==(const FrameRange&) const = default;
+  bool operator==(const AnimationRange&) const = default;
 };
 
-struct FrameOfRange {
+struct AnimationFrame {
   int first = 0, last = 0;  // of the animation
   int frame = 0;
 
@@ -23,7 +23,7 @@ struct FrameOfRange {
     return (static_cast<double>(frame - first) + own) / (last > first ? last - first : 1);
   }
 
-  bool operator==(const FrameOfRange&) const = default;
+  bool operator==(const AnimationFrame&) const = default;
 };
 
 }  // namespace penumbra

@@ -13,7 +13,7 @@ ImageFile develop(Film film, const Development& development);
 // Only the colours.
 Image develop_color(const Film& film, const Development& development);
 
-// The factor of so many half steps: exact, and the same everywhere.
+// The factor of `halves` half stops: the same bits on every machine.
 double exposure_factor(int halves);
 
 // Multiplies all colours.

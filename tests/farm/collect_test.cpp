@@ -96,7 +96,7 @@ TEST_F(FarmCollect, RefusesPartsOfOtherPictures) {
       << said();
   ASSERT_EQ(run({"render", scene_file_, "--size", "53x37", "--rays", "5", "--shard", "1/4", "-o", part(1)}), 0);
   EXPECT_EQ(collect(), 65);
-  EXPECT_NE(said().find("its `rays` is 5, and 2 in the others"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `rays` is 5, but 2 in the others"), std::string::npos) << said();
   EXPECT_FALSE(std::filesystem::exists(output_));
 }
 

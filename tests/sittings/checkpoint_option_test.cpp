@@ -31,14 +31,14 @@ TEST_F(CheckpointOption, RefusesAnotherRender) {
   begin(long_render_);
   const std::string refusal = "penumbra: `" + checkpoint_ + "` is the checkpoint of another render: ";
   EXPECT_EQ(resume({"--rays", "20"}), 65);
-  EXPECT_EQ(said(), refusal + "its `rays` is 1000000, and 20 here\n");
+  EXPECT_EQ(said(), refusal + "its `rays` is 1000000, but 20 here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--crop", "0,0,9,9"}), 65);
-  EXPECT_EQ(said(), refusal + "its `crop` is not given, and 0,0,9,9 here\n");
+  EXPECT_EQ(said(), refusal + "its `crop` is not given, but 0,0,9,9 here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--aov", "normal,depth"}), 65);
-  EXPECT_EQ(said(), refusal + "its `aov` is not given, and depth,normal here\n");
+  EXPECT_EQ(said(), refusal + "its `aov` is not given, but depth,normal here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--noise", "0.1"}), 65);
   EXPECT_EQ(resume(long_render_ + Words{"--shard", "0/2"}), 65);
-  EXPECT_EQ(said(), refusal + "its `shard` is not given, and 0/2 here\n");
+  EXPECT_EQ(said(), refusal + "its `shard` is not given, but 0/2 here\n");
   put_content(scene_, scene_text(16) + "# changed\n");
   EXPECT_EQ(resume(long_render_), 65);
   EXPECT_EQ(said(), refusal + "the scene, or a file that it reads, is not the same\n");

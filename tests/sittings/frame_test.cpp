@@ -145,9 +145,9 @@ TEST_F(FrameTest, refuseTheCheckpointOfAnotherAnimation) {
   const Words checkpoint = {"--rays", "10000000", "--checkpoint", checkpoint_, "--time-limit", "0.5s"};
   ASSERT_EQ(render_frames(checkpoint + Words{"--frames", "0-2"}), 75) << said();
   EXPECT_EQ(render_frames(checkpoint + Words{"--frames", "0-3", "--resume"}), 65);
-  EXPECT_NE(said().find("its `frames` is 0-2, and 0-3 here"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `frames` is 0-2, but 0-3 here"), std::string::npos) << said();
   EXPECT_EQ(render_frames(checkpoint + Words{"--resume"}), 65);
-  EXPECT_NE(said().find("its `frames` is 0-2, and not given here"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `frames` is 0-2, but not given here"), std::string::npos) << said();
 }
 
 TEST_F(FrameTest, canBeRenderedInShards) {

@@ -64,17 +64,17 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
     EXPECT_EQ(content_of(picture_), "old");
     return said();
   };
-  EXPECT_EQ(problem({good[0], good[4]}), "penumbra: of 5 shards, from 0, 3 are missing: 1-3\n");
+  EXPECT_EQ(problem({good[0], good[4]}), "penumbra: of 5 shards, numbered from 0, 3 are missing: 1-3\n");
   EXPECT_EQ(problem(good + Words{good[3]}),
-            "penumbra: shard 3 is there twice: `" + good[3] + "` and `" + good[3] + "`\n");
+            "penumbra: shard 3 occurs twice: `" + good[3] + "` and `" + good[3] + "`\n");
   EXPECT_EQ(problem(good + Words{path("none.exr")}, 66),
             "penumbra: cannot open `" + path("none.exr") + "`: No such file or directory\n");
 
   const std::string other = path("other.exr");
   ASSERT_EQ(render({"--rays", "3", "--shard", "1/5", "-o", other}), 0);
   EXPECT_EQ(problem({good[0], other, good[2], good[3], good[4]}),
-            "penumbra: `" + other + "` is a part of another picture: its `rays` is 3, and 2 in the others\n" +
-                "penumbra: of 5 shards, from 0, one is missing: 1\n");
+            "penumbra: `" + other + "` is a part of another picture: its `rays` is 3, but 2 in the others\n" +
+                "penumbra: of 5 shards, numbered from 0, one is missing: 1\n");
 
   ASSERT_EQ(render({"-o", other}), 0);
   EXPECT_EQ(problem(good + Words{other}),

@@ -1,8 +1,8 @@
-// The standard error of a pixel's mean, estimated from its own samples. Stratified samples are not independent: their
-// spread says nothing about the error of their mean, which is much smaller. The differences between the means of parts
-// of them do. The samples are a sequence whose aligned blocks of 2^k are point sets of one kind, and the variance of a
-// block's mean falls by one factor, the rate r, whenever the block doubles: r = 2 for independent samples, up to 8 for
-// nets and smooth functions (Owen 1997). If a mean has variance V, the means of its two halves then differ by
+// The standard error of a pixel's mean, estimated from its own samples. Stratified samples are not independent: the
+// error of their mean is much smaller than their spread suggests. It shows in the differences between the means of
+// parts of them. The samples are a sequence whose aligned blocks of 2^k are point sets of one kind, and the variance of
+// a block's mean falls by one factor, the rate r, whenever the block doubles: r = 2 for independent samples, up to 8
+// for nets and smooth functions (Owen 1997). If a mean has variance V, the means of its two halves then differ by
 // 4 (r - 1) V in the mean square, and those of the quarters of one half by r times as much.
 //
 // One pixel has only three such differences, so its neighbours contribute to the rate and to the variance.

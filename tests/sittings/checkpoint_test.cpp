@@ -1,4 +1,4 @@
-// A checkpoint that is not whole, or not of this render, is refused with one sentence that says so.
+// A checkpoint that is damaged, or of another render, is refused with one sentence that says so.
 #include "rendering/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class CheckpointFile : public testing::Test {
   const Setting setting_{picture};
   const std::vector<std::byte> good_ = example(setting_);
 
-  // The sentence; empty if there is no error.
+  // The error message; empty if there is no error.
   static std::string error_of(const std::vector<std::byte>& bytes) {
     try {
       Checkpoint(bytes, "c");
@@ -102,7 +102,7 @@ TEST_F(CheckpointFile, OfAnotherRender) {
             "`c` is the checkpoint of another render: its `rays` is not given, but 5 here");
 }
 
-// Blocks that are whole but cannot be this picture's.
+// Intact blocks that cannot belong to this picture.
 TEST_F(CheckpointFile, OfAnotherSizeIsDamaged) {
   const Checkpoint checkpoint(good_, "c");
   const auto is_refused = [&](PictureOfTest other) {

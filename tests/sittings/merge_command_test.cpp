@@ -1,4 +1,4 @@
-// `penumbra merge` as the user has it: the file of a single render, or the names of what is wrong and no file.
+// `penumbra merge` as users call it: writes the file of a single render, or says what is wrong and writes nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_F(Merge, GivesTheFileOfASingleRender) {
   }
 }
 
-// What comes after the film is the same too: painted rectangles, bits, the course's rounding.
+// What comes after the film is the same, too: painted rectangles, bits, the course's rounding.
 TEST_F(Merge, DevelopsAsTheSingleRenderDoes) {
   put_content(scene_, scene_text(4) + "color 1 .5 .25\nrect 3 4 20 9\n");
   for (const Words& arguments : {Words{"--bits", "16"}, Words{"--course"}}) {
@@ -91,7 +91,7 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
             std::string::npos);
 }
 
-// Wherever a part is cut off or changed, it is noticed; but for the preview, which is not the picture.
+// Wherever a part is truncated or changed, it is noticed, except in the preview, which does not count.
 TEST_F(Merge, NoticesDamageAnywhere) {
   put_content(scene_, "image_size 20 12\nbackground .3 .4 .5\n");
   const Words parts = shards(2, {});

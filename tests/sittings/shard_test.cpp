@@ -1,4 +1,4 @@
-// Shards have all tiles between them, evenly; and their parts, in any order, are the picture.
+// Shards divide all tiles evenly among them, and their parts, in any order, give the picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ TEST(Shards, HaveAllTilesBetweenThem) {
   }
 }
 
-// In each twelfth of the picture, each shard has its share, within two tiles.
+// In each twelfth of the picture, each shard has its share, within 10 % and two tiles.
 TEST(Shards, AreSpreadEvenly) {
   for (const PixelRect& picture :
        {PixelRect{0, 0, 640, 480}, PixelRect{0, 0, 1280, 720}, PixelRect{0, 0, 3840, 2160}}) {
@@ -136,7 +136,7 @@ TEST_F(Complaints, WhatIsOfAnotherPicture) {
   EXPECT_EQ(problems().front(), "`part0` is a part of another picture: it is one of 13 shards, not of 12");
 }
 
-// Any byte that is not what was written, and any end that is too early, is noticed.
+// Any changed byte and any missing end is noticed.
 TEST_F(Complaints, Damage) {
   const std::vector<std::byte> good = part_of(setting_, {1, 12});
   const auto is_refused = [](const std::vector<std::byte>& bytes) {

@@ -167,7 +167,7 @@ class WorldBuilder {
     add_ordered_leaf(parts, leaf, bounds, motion, cost, reach);
   }
   void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
-    set3(&leaf.motion[0], motion);
+    set3(leaf.motion, motion);
     leaf.moves = motion != Vec3{};
     const Bounds over_shutter =
         include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));

@@ -96,8 +96,8 @@ void Canvas::curve(const std::vector<Point>& points, double width, const Color& 
                      std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
   };
   PixelRect all = bounds_of(points[0], points[0]);
-  for (const Point& place : points) {
-    const PixelRect window = bounds_of(place, point);
+  for (const Point& point : points) {
+    const PixelRect window = bounds_of(point, point);
     all = {std::min(all.x0, window.x0), std::min(all.y0, window.y0), std::max(all.x1, window.x1),
            std::max(all.y1, window.y1)};
   }

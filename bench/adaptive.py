@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Measures adaptive rays (`--noise E`) and prints two tables: for every scene the error of the finished picture against
-a converged one, as a multiple of E; and for demo.cli how many times fewer rays it took than the same error takes with
-as many rays in every pixel. Errors are of colours clamped to 0..1 (16-bit PNG files). Converged pictures are of another
-seed and are kept in the folder of --cache."""
+"""Measures adaptive rendering (`--noise E`) and prints two tables: for every scene, the error of the finished picture
+against a converged one, as a multiple of E; and for demo.cli, how many times more rays the same error takes with the
+same number of rays in every pixel. Errors are of colours clamped to 0..1 (16-bit PNG files). Converged pictures use
+another seed and are kept in the folder of --cache."""
 
 import argparse
 import json
@@ -42,7 +42,7 @@ class Measure:
         return picture
 
     def run(self, scene, size, truth, *options):
-        """The error, the camera rays a pixel, and all rays a pixel."""
+        """The error, the camera rays per pixel, and all rays per pixel."""
         picture = os.path.join(self.folder, "picture.png")
         stats = self.render(scene, size, picture, *options)
         pixels = math.prod(int(n) for n in size.split("x"))
@@ -50,7 +50,7 @@ class Measure:
 
 
 def rays_at(curve, error):
-    """The fewest rays a pixel for that error, between the measured points (error, rays) on logarithmic axes."""
+    """The fewest rays per pixel for this error, between the measured points (error, rays) on logarithmic axes."""
     best = math.inf
     for (e0, n0), (e1, n1) in zip(curve, curve[1:]):
         if e0 >= error >= e1:
@@ -62,12 +62,12 @@ def rays_at(curve, error):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--penumbra", default=os.path.join(ROOT, "build/release/penumbra"))
-    parser.add_argument("--cache", help="folder for the converged pictures [none: rendered anew]")
+    parser.add_argument("--cache", help="folder for the converged pictures [none: rendered every time]")
     parser.add_argument("--size", default="160x120")
     parser.add_argument("--rays", type=int, default=2048, help="rays per pixel of the converged pictures")
     parser.add_argument("--demo-size", default="320x240")
     parser.add_argument("--demo-rays", type=int, default=4096)
-    parser.add_argument("--check", action="store_true", help="only the first table; fail where an error is above 1.2 E")
+    parser.add_argument("--check", action="store_true", help="only the first table; fail if an error is above 1.2 E")
     parser.add_argument("scenes", nargs="*", help="further scenes")
     arguments = parser.parse_args()
     if arguments.cache:

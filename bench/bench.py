@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures the program and prints tables: whole renders against the hand-specialised packet prototype (where its folder
-and AVX-512 are at hand), renders against those of an earlier revision, rays per second of the project's own scenes, the
-instruction sets against each other, a large picture against a small one, two threads against one, meshes against Embree
-alone, and the speed of reading. What is compared is run in turn in the same run; a table shows medians and the median
-of the ratios of each turn."""
+"""Measures the program and prints tables: whole renders against the hand-specialised packet prototype (if its folder
+and AVX-512 are available), renders against those of an earlier revision, rays per second of the project's own scenes,
+the instruction sets against each other, a large picture against a small one, two threads against one, meshes against
+Embree alone, and the speed of reading. Things that are compared take turns within one run; a table shows medians and
+the median of the ratios of all turns."""
 
 import argparse
 import contextlib
@@ -23,7 +23,7 @@ SCENES = ["demo"] + [f"s0{n}b" for n in range(1, 10)]
 
 @contextlib.contextmanager
 def one_core():
-    """Runs everything that is started inside on one core, without a program in between that has to start, too."""
+    """Runs everything that is started inside on one core, without a wrapper program whose start would count, too."""
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(cores)})
     try:
@@ -42,7 +42,7 @@ def render(penumbra, scene, *options, file="out.png"):
 
 
 def timed_run(penumbra, scene, *options):
-    """The seconds from start to end of a process that writes the picture and no other file, and what it prints."""
+    """The seconds from start to end of a process that writes only the picture, and its output."""
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
         printed = run_once(penumbra, scene, os.path.join(folder, "out.png"), *options)
@@ -50,14 +50,14 @@ def timed_run(penumbra, scene, *options):
 
 
 def rendering_and_rest(penumbra, scene):
-    """The seconds a process takes to render, and those for all else, to print its statistics included."""
+    """The seconds a process takes to render, and those for everything else, including printing its statistics."""
     whole, stats = timed_run(penumbra, scene, "--stats", "/dev/stdout")
     rendering = json.loads(stats)["render_seconds"]
     return rendering, whole - rendering
 
 
 def seconds_of_nothing():
-    """What any process takes: starting and ending one that does nothing."""
+    """The seconds any process takes: to start and end one that does nothing."""
     def once():
         start = time.perf_counter()
         subprocess.run(["/bin/true"], check=True)
@@ -78,7 +78,7 @@ def build_prototype(peers, folder):
 
 
 def prototype_seconds(program):
-    """Scene name to render seconds of the prototype's faster own kernel."""
+    """Maps scene names to the render seconds of the faster of the prototype's own kernels."""
     text = subprocess.run([program, "1"], check=True, capture_output=True, text=True).stdout
     seconds = {}
     scene = None
@@ -167,7 +167,7 @@ def compare_sizes(penumbra, turns):
         run = render(penumbra, path, "--rays", "256", *options, file=file)
         return sum(run["rays"].values()) / run["render_seconds"]
 
-    # The tiles of a shard lie all over the picture, in the film of the whole.
+    # The tiles of a shard lie all over the picture, and its film is that of the whole picture.
     ratios = [speed("--size", "3840x2160", "--shard", f"{turn}/64", file="part.exr") / speed("--size", "300x300")
               for turn in range(turns)]
     print(f"3840x2160 (a 64th of it in turn) against 300x300, demo.cli, 256 rays, rays per second: "
@@ -175,7 +175,7 @@ def compare_sizes(penumbra, turns):
 
 
 def build_revision(revision):
-    """Builds another revision of the project in a folder of its own, and returns the program."""
+    """Builds another revision of the project in a separate folder, and returns the path of the program."""
     folder = os.path.join(ROOT, "build", "before")
     if not os.path.isdir(folder):
         subprocess.run(["git", "clone", "--quiet", "--no-checkout", ROOT, folder], check=True)
@@ -262,7 +262,7 @@ def compare_with_embree(mesh_replay, bumpy_sphere, turns):
 
 
 def compare_memory(penumbra, embree_memory, bumpy_sphere):
-    """The peak of the whole program against 1.3 times what Embree alone takes and some bytes for each triangle."""
+    """The peak of the whole program against 1.3 times that of Embree alone, in bytes per triangle."""
     print("Memory of meshes, whole program, 300x300:\n")
     print("| mesh | triangles | Embree's own peak MB | ours MB | bytes a triangle above 1.3 of Embree's |\n"
           "| --- | --: | --: | --: | --: |", flush=True)

@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 """Counts the instructions of the render loop on four small scenes, under callgrind, and compares them with the counts
 in instructions.json. A count has no noise: it depends on the compiler and on the code, not on the machine or its load.
-What is counted is render_samples() and all it calls; starting up, which libc does differently on each processor, is
-not.
+Only render_samples() and what it calls is counted, not the start, which libc does differently on each processor.
 
-Fails if a scene needs 3 % more or fewer instructions than written down. With a compiler that has no counts there, it
-only says so. After a change that was meant to be faster, or is worth its price: `make instructions` writes the new
-counts."""
+Fails if a scene needs 3 % more or fewer instructions than recorded. If there are no counts for the compiler, it only
+says so. After a change that is meant to be faster, or is worth its cost, `make instructions` writes the new counts."""
 
 import argparse
 import json
@@ -18,7 +16,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 COUNTS = os.path.join(ROOT, "bench/instructions.json")
-ISA = "avx2"  # the widest that callgrind knows
+ISA = "avx2"  # the widest that callgrind supports
 SCENES = {  # at 16 rays per pixel, packets are full
     "s05b": ["--size", "96x96", "--rays", "16"],
     "s07b": ["--size", "80x80", "--rays", "16"],
@@ -29,7 +27,7 @@ TOLERANCE = 0.03
 
 
 def compiler_of(program):
-    """As the compiler left it in the program, such as "GCC 12.2.0"; builds for another one have other counts."""
+    """The compiler recorded in the program, such as "GCC 12.2.0"; other compilers have other counts."""
     text = subprocess.run(["readelf", "-p", ".comment", program], check=True, capture_output=True, text=True).stdout
     names = set()
     for line in text.splitlines():
@@ -89,7 +87,7 @@ def main():
     elif set(known) != set(SCENES):
         print(f"warning: bench/instructions.json has no counts of {compiler} for all of these; nothing was compared")
     elif worst > TOLERANCE:
-        sys.exit(f"instructions: more than {TOLERANCE:.0%} from bench/instructions.json. If that is meant, "
+        sys.exit(f"instructions: more than {TOLERANCE:.0%} from bench/instructions.json. If that is intended, "
                  "`make instructions` writes the new counts; say in the commit what they were.")
 
 

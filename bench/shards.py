@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures what it costs to share a picture out (`--shard i/n`), and prints a table: for each n the sum of the times of
-all shards over the time of one whole render, the largest over the mean of the shards' times, and the time of `merge`.
-Times are those of the processor, of whole processes with one thread: start, reading, building and writing are in them.
-The whole render and all its shards are run in turn, several times, and the best time of each counts: machines have slow
-seconds. With --check, exit code 1 where a ratio is not below its bound."""
+"""Measures the cost of dividing a picture into shards (`--shard i/n`), and prints a table: for each n, the sum of the
+times of all shards over the time of one whole render, the largest over the mean of the shards' times, and the time of
+`merge`. Times are CPU times of whole processes with one thread, including start, reading, building and writing. The
+whole render and all its shards are run in turn, several times, and the best time of each counts: machines have slow
+seconds. With --check, the exit code is 1 if a ratio is not below its bound."""
 
 import argparse
 import filecmp
@@ -18,7 +18,7 @@ MOST_UNEVEN = 1.15  # largest shard over the mean
 
 
 def seconds_of(command):
-    """Runs a command; the seconds of processor time that it took."""
+    """Runs a command; returns the CPU seconds that it took."""
     process = subprocess.Popen(command)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
@@ -28,7 +28,7 @@ def seconds_of(command):
 
 
 def best_of_turns(turns, commands):
-    """The least seconds of each command, where all are run in turn."""
+    """The least seconds of each command over some turns of all commands."""
     return [min(times) for times in zip(*([seconds_of(c) for c in commands] for _ in range(turns)))]
 
 
@@ -39,8 +39,8 @@ def main():
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--rays", default="64")
     parser.add_argument("--counts", default="2,3,4,8,16,24,32,48,64", help="the numbers of shards")
-    parser.add_argument("--turns", type=int, default=3, help="of which the best counts, for each render")
-    parser.add_argument("--check", action="store_true", help="fail where a ratio is not below its bound")
+    parser.add_argument("--turns", type=int, default=3, help="turns, of which the best counts for each render")
+    parser.add_argument("--check", action="store_true", help="fail if a ratio is not below its bound")
     arguments = parser.parse_args()
 
     render = [arguments.penumbra, "render", arguments.scene, "--size", arguments.size, "--rays", arguments.rays,

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""How much variance each pattern leaves in a picture, as a ratio to `random` at the same number of rays.
+"""The variance that each pattern leaves in a picture, relative to `random` at the same number of rays.
 
 The variance is the mean squared difference from a converged picture, over pixels, channels and seeds; the converged
-picture's own error is small against it and is left in.
+picture's own error is comparatively small and is not subtracted.
 
 usage: bench/variance.py [--penumbra build/release/penumbra] [--rays 64] [--seeds 5] [--size 200x150] SCENE.cli ...
 """

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""How fast the window answers: from a key that is pressed, or a file that is saved, to the first frame of the new
-picture on the screen (1 ray per pixel), from any key to a frame that shows its effect, and from Escape to the end of
-the program, all while the window renders. Needs Xvfb; OpenGL is done in software, on the same processors as the
-rendering, so that a machine with a graphics card is faster."""
+"""Measures how fast the window responds: from pressing a key or saving a file to the first frame of the new picture on
+the screen (1 ray per pixel), from any key to a frame that shows its effect, and from Escape to the end of the program,
+all while the window renders. Needs Xvfb; OpenGL is emulated on the same processors that render, so a machine with a
+graphics card is faster."""
 
 import argparse
 import ctypes
@@ -19,7 +19,7 @@ from harness import DEADLINE, Display, Window  # noqa: E402
 
 
 class Keys:
-    """Presses keys through libXtst: without the start of another program between the clock and the key."""
+    """Presses keys through libXtst, so that no program has to start between the clock and the key."""
 
     def __init__(self, display_name):
         self.x11 = ctypes.CDLL("libX11.so.6")
@@ -32,7 +32,7 @@ class Keys:
         self.display = self.x11.XOpenDisplay(display_name.encode())
 
     def press(self, name):
-        """Returns when, on the clock of the window's report."""
+        """Returns the time, on the clock of the window's report."""
         code = self.x11.XKeysymToKeycode(self.display, self.x11.XStringToKeysym(name.encode()))
         start = time.monotonic()
         self.test.XTestFakeKeyEvent(self.display, code, 1, 0)

@@ -1,5 +1,5 @@
-"""The mesh of scene E: a sphere of 2 n (n - 1) triangles round (0, 0, -4), its radius waved by products of sines. It is
-written three times: for Penumbra (PLY), POV-Ray (mesh2) and Blender (arrays)."""
+"""The mesh of scene E: a sphere of 2 n (n - 1) triangles around (0, 0, -4), its radius modulated by products of sines.
+It is written three times: for Penumbra (PLY), POV-Ray (mesh2) and Blender (arrays)."""
 
 import os
 
@@ -9,7 +9,7 @@ ROWS = 188  # 70 312 triangles
 
 
 def points(n):
-    """n + 1 circles of latitude with n points each, from the pole on the y axis down; each pole is there n times."""
+    """n + 1 circles of latitude with n points each, from the pole on the y axis down; each pole occurs n times."""
     polar, around = np.meshgrid(np.pi * np.arange(n + 1) / n, 2 * np.pi * np.arange(n) / n, indexing="ij")
     x, y, z = np.sin(polar) * np.cos(around), np.cos(polar), np.sin(polar) * np.sin(around)
     coarse = np.sin(9 * x + 2) * np.sin(11 * y) * np.sin(10 * z + 1)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Compares Penumbra with POV-Ray and Cycles on the scenes A to E, 300x300, one thread on one core: at equal rays (100 a
-pixel) and at equal error (a linear RMSE of 0.002, each renderer against its own converged pictures). Prints tables;
-writes all figures (JSON) and a plot of each scene into a folder of results.
+"""Compares Penumbra with POV-Ray and Cycles on the scenes A to E, 300x300, one thread on one core: at equal rays (100
+per pixel) and at equal error (a linear RMSE of 0.002, each renderer against its own converged pictures). Prints tables;
+writes all figures (JSON) and a plot of each scene to the results folder.
 
-Seconds are CPU seconds, the least of all turns, so that other work on the core does little harm. Converged pictures
+Seconds are CPU seconds, the least of all turns, so that other work on the core matters little. Converged pictures
 take some ten minutes; they are kept in the work folder."""
 
 import argparse
@@ -28,7 +28,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 
 @dataclasses.dataclass
 class Series:
-    """A curve to measure: the values for every scene, one more for some, and more options of the renderer."""
+    """A curve to measure: the values for every scene, one more for some scenes, and more options for the renderer."""
 
     name: str
     renderer: object
@@ -59,7 +59,7 @@ def series_of(penumbra, povray, cycles):
 
 
 def plan(arguments, series):
-    """What to measure, in turn: (turn, scene, series, value)."""
+    """What to measure, in this order: (turn, scene, series, value)."""
     for turn in range(arguments.turns):
         for scene in arguments.scenes:
             for one in series:
@@ -74,7 +74,7 @@ class Bench:
         self.core = core
 
     def run(self, command):
-        """Runs it pinned in the work folder; returns what it printed and what the whole process took."""
+        """Runs it in the work folder, pinned to the core; returns its output and what the whole process took."""
         log = os.path.join(self.work, "output.txt")
         with open(log, "w") as output:
             start = time.perf_counter()
@@ -156,16 +156,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--penumbra", default=os.path.join(ROOT, "build/release/penumbra"))
     parser.add_argument("--work", default=os.path.join(ROOT, "build/peers"),
-                        help="folder of the mesh and of the converged pictures, which later runs find there")
+                        help="folder of the mesh and of the converged pictures, which later runs reuse")
     parser.add_argument("--results", default=os.path.join(ROOT, "build/peers/results"), help="folder of the results")
     parser.add_argument("--plots", help="folder of the plots [the folder of the results]")
-    parser.add_argument("--cited", help="figures of other renderers, taken elsewhere, such as bench/peers/pbrt-v3.csv")
+    parser.add_argument("--cited", help="figures of other renderers, from elsewhere, such as bench/peers/pbrt-v3.csv")
     parser.add_argument("--scenes", default="ABCDE")
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--long-turns", type=int, default=1,
-                        help="turns of a peer's pictures of more than 100 rays and of its adaptive ones")
+                        help="turns for peers' pictures with more than 100 rays and for their adaptive ones")
     parser.add_argument("--core", type=int, default=0)
-    parser.add_argument("--report", metavar="FILE.json", help="measure nothing; tables and plots of an earlier run")
+    parser.add_argument("--report", metavar="FILE.json", help="measure nothing; report an earlier run")
     arguments = parser.parse_args()
     if arguments.report:
         with open(arguments.report) as file:

@@ -1,4 +1,4 @@
-"""Errors of pictures, and where a curve of measured errors against seconds meets a goal."""
+"""Errors of pictures, and where a curve of measured errors over seconds reaches a goal."""
 
 import math
 
@@ -8,7 +8,7 @@ import OpenImageIO as oiio
 
 def read_picture(path, size):
     """Linear colours clamped to 0..1; a larger picture is averaged down to size x size."""
-    file = oiio.ImageInput.open(path)  # an ImageBuf would show what was last under this name
+    file = oiio.ImageInput.open(path)  # an ImageBuf would show the picture last read under this name
     if not file:
         raise RuntimeError(f"{path}: {oiio.geterror()}")
     pixels = np.clip(file.read_image(format=oiio.FLOAT)[:, :, :3].astype(float), 0, 1)
@@ -18,14 +18,14 @@ def read_picture(path, size):
 
 
 def rmse(picture, converged):
-    """The error against the limit of two converged pictures. These have errors of their own, but independent ones, so
-    the mean of the product of the differences holds the picture's error alone."""
+    """The error against the limit of two converged pictures. Their own errors are independent, so the mean of the
+    product of the differences contains only the picture's error."""
     first, second = converged
     return math.sqrt(max(0.0, float(np.mean((picture - first) * (picture - second)))))
 
 
 def spread(converged):
-    """The error of one converged picture, by its difference from the other."""
+    """The error of one converged picture, from its difference to the other."""
     first, second = converged
     return math.sqrt(float(np.mean((first - second) ** 2)) / 2)
 
@@ -38,8 +38,8 @@ def on_line(a, b, error):
 
 def crossing(points, goal, reach=2.5):
     """The seconds at which a curve of points (seconds, error) falls to the goal, and a remark: none between measured
-    points, `at most` where all points are below the goal, `extrapolated` where the line through the last two points was
-    drawn on, at most to `reach` times the last seconds. (None, `not reached`) beyond that."""
+    points, `at most` if all points are below the goal, `extrapolated` if the line through the last two points was
+    extended, at most to `reach` times the last seconds. (None, `not reached`) beyond that."""
     points = sorted(points, key=lambda point: -point[1])
     if points[0][1] <= goal:
         return points[0][0], "at most"

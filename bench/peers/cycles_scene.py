@@ -3,8 +3,8 @@
     blender -b --factory-startup -P cycles_scene.py -- SCENE RAYS SEED NOISE OUT.exr
 
 One thread, direct light only (C: one glossy bounce), no denoiser; NOISE above 0 switches adaptive sampling on. Lights
-fall off with the square of the distance, and spheres are meshes of smooth faces: Cycles has no others. Prints what the
-render call took, `RENDER_SECONDS wall cpu`."""
+fall off with the square of the distance, and spheres are meshes of smooth faces: Cycles has no others. Prints the time
+of the render call, `RENDER_SECONDS wall cpu`."""
 
 import math
 import sys
@@ -67,7 +67,7 @@ def sphere(radius, surface):
 
 
 def move(placed, shift):
-    """Moves in a straight line from now until one frame later, with the shutter open all that time."""
+    """Moves in a straight line from this frame to the next, with the shutter open all that time."""
     placed.keyframe_insert("location", frame=1)
     placed.location = [a + b for a, b in zip(placed.location, shift)]
     placed.keyframe_insert("location", frame=2)

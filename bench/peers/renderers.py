@@ -1,4 +1,4 @@
-"""How each renderer is called and what it says about its time. Commands run in the work folder, which holds the mesh of
+"""How each renderer is called and how it reports its time. Commands run in the work folder, which holds the mesh of
 scene E."""
 
 import json
@@ -34,11 +34,11 @@ class Penumbra:
     def __init__(self, program, work):
         self.program = os.path.abspath(program)
         self.work = work
-        for scene in self.scenes:  # beside the mesh
+        for scene in self.scenes:  # next to the mesh
             shutil.copy(os.path.join(HERE, scene + ".cli"), work)
 
     def converged(self, _):
-        """Rays per pixel and seeds of two pictures that know nothing of each other."""
+        """Rays per pixel and seeds of two independent pictures."""
         return [(2048, 101), (2048, 102)]
 
     def version(self):  # such as "penumbra 0.1.0"
@@ -56,15 +56,15 @@ class Penumbra:
 
 
 class PovRay:
-    """A value is the number of rays per pixel, on a grid; in B, of points of the lens. Adaptive, it is the number where
-    the first rays of neighbours differ by 0.02 or more; in B, where that many may be needed for a variance of 1e-5."""
+    """A value is the number of rays per pixel, on a grid; in B, of points on the lens. Adaptive, it is the number where
+    the first rays of neighbours differ by 0.02 or more; in B, the most that are used to reach a variance of 1e-5."""
 
     name = "POV-Ray"
     scenes = "ABCE"
     picture_suffix = ".png"
 
     def converged(self, scene):
-        # It has no seed, but jitters another grid otherwise.
+        # It has no seed, but jitters another grid differently.
         return [(1024, 1), (900, 2)] if scene == "B" else [(324, 0), (441, 0)]
 
     def version(self):
@@ -72,7 +72,7 @@ class PovRay:
 
     def command(self, scene, rays, seed, picture, adaptive=False):
         if scene == "B":
-            scale = max(1, seed)  # an enlarged picture has lens samples of its own
+            scale = max(1, seed)  # an enlarged picture has other lens samples
             variance, confidence = (1e-5, 0.9) if adaptive else (0, 0.9999)
             samples = ["-A", f"Declare=LensSamples={rays // scale**2}", f"Declare=LensVariance={variance:f}",
                        f"Declare=LensConfidence={confidence}"]
@@ -84,7 +84,7 @@ class PovRay:
 
     @staticmethod
     def grid(rays):
-        """A pixel has at most 9 x 9 rays, so more are a larger picture: its scale, and the rows of rays in a pixel."""
+        """A pixel has at most 9 x 9 rays; more take a larger picture: its scale, and the rows of rays in a pixel."""
         rows = math.isqrt(rays)
         if rows**2 != rays:
             raise ValueError(f"{rays} is not a square")

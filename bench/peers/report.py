@@ -5,7 +5,7 @@ import os
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot, ticker  # noqa: E402: after the choice of a backend that needs no display
+from matplotlib import pyplot, ticker  # noqa: E402: after choosing a backend that needs no display
 
 import curves  # noqa: E402
 
@@ -41,7 +41,7 @@ def scenes_of(results):
 
 
 def names_of(results):
-    """All series, in the order of measuring; cited ones last."""
+    """All series, in the order of measurement; cited ones last."""
     return list(dict.fromkeys([r["series"] for r in results["runs"]] + [c["series"] for c in results["cited"]]))
 
 
@@ -118,7 +118,7 @@ def tables(results):
 
 
 def plot(results, folder):
-    """One picture for each scene: error against seconds."""
+    """One plot for each scene: error over seconds."""
     os.makedirs(folder, exist_ok=True)
     adaptive = {f"{name} adaptive" for name in PEERS} | {"Penumbra --noise"}
     drawn = [n for n in names_of(results) if n not in patterns_of(results)]

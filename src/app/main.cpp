@@ -1,4 +1,4 @@
-// The program: reads the command line, hands over to one subcommand, returns its exit code (those of <sysexits.h>).
+// The program: parses the command line, runs one subcommand and returns its exit code (those of <sysexits.h>).
 #include <fmt/format.h>
 #include <sysexits.h>
 

@@ -1,5 +1,5 @@
-// JSON (RFC 8259) as plain values and as text: what the reports and the files of the farm need of it. The text is that
-// of nlohmann/json, whose header is slow to compile and therefore included in json_text.cpp alone.
+// JSON (RFC 8259) as plain values and as text, as far as the reports and the files of the farm need it. nlohmann/json,
+// whose header is slow to compile and therefore included only in json_text.cpp, reads and writes the text.
 #pragma once
 
 #include <concepts>
@@ -26,22 +26,22 @@ class Json {
 
   Json() = default;  // null
   Json(bool value) : value_(value) {}
-  Json(double value) : value_(value) {}  // null in the text where it is not finite
+  Json(double value) : value_(value) {}  // null in the text if it is not finite
   Json(std::string value) : value_(std::move(value)) {}
   Json(std::string_view value) : value_(std::string(value)) {}
   Json(const char* value) : value_(std::string(value)) {}
   Json(Array values) : value_(std::move(values)) {}
   template <std::integral Number>
   Json(Number value) : value_(static_cast<std::int64_t>(value)) {}
-  // An array of all that a container holds.
+  // An array of the elements of a container.
   template <class Values, class = typename Values::const_iterator>
   Json(const Values& values) : value_(Array(values.begin(), values.end())) {}
   static Json object(std::initializer_list<Member> members = {});
 
-  // The member of that name, which is added where it is missing, to null as to an object.
+  // The member of that name; adds it if it is missing. Null becomes an object.
   Json& operator[](std::string_view name);
 
-  // These throw std::invalid_argument where the value is of another kind, or the member missing.
+  // These throw std::invalid_argument if the value is of another kind or the member is missing.
   const Json& at(std::string_view name) const;
   bool contains(std::string_view name) const;
   // As bool, int, double, std::string, or a container of these.
@@ -82,16 +82,16 @@ struct Json::Member {
   Json value;
 };
 
-// What becomes of a string that is not UTF-8, which JSON has to be.
+// How to treat a string that is not UTF-8, as JSON requires: replace the invalid bytes or throw.
 enum class BadText { replaced, refused };
 
-// The value as text, over several lines with an indentation of two, or on one line. Throws std::invalid_argument where
-// a string is refused.
+// The value as text, on several lines with an indentation of two, or on one line. Throws std::invalid_argument if a
+// string is refused.
 std::string to_text(const Json& json, BadText bad_text = BadText::replaced);
 std::string to_line(const Json& json);
 
-// The value that the bytes of a text say. Throws std::invalid_argument with the reason and its place, or where arrays
-// and objects are nested deeper than 100.
+// Parses a text. Throws std::invalid_argument with the reason and its position, also if arrays and objects are nested
+// deeper than 100.
 Json json_from(std::span<const std::byte> text);
 
 }  // namespace penumbra

@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 
 constexpr int format = 1;
 
-// Throws std::invalid_argument where a number cannot be what was written.
+// Throws std::invalid_argument if a value is not valid.
 void require(bool good, const char* what) {
-  if (!good) throw std::invalid_argument(fmt::format("{} cannot be that", what));
+  if (!good) throw std::invalid_argument(fmt::format("{} is not valid", what));
 }
 
 Json to_json(const Job& job) {
@@ -78,15 +78,15 @@ void write_text(const fs::path& path, const std::string& text) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-// What `read` makes of the JSON in a file.
+// Applies `read` to the JSON in a file.
 template <class Read>
 auto parsed(const fs::path& path, const Read& read) {
   const std::vector<std::byte> text = read_file(path);
   try {
     return read(json_from(text));
   } catch (const std::exception& error) {
-    throw FileError(EX_DATAERR,
-                    fmt::format("`{}` is not what `penumbra farm` has written: {}", path.string(), error.what()));
+    throw FileError(EX_DATAERR, fmt::format("`{}` is damaged or was not written by `penumbra farm`: {}", path.string(),
+                                            error.what()));
   }
 }
 
@@ -121,7 +121,7 @@ void JobFolder::create(const Job& job) const {
   try {
     manifest_text = to_text(to_json(job), BadText::refused) + "\n";
   } catch (const std::invalid_argument&) {
-    throw FileError(EX_CANTCREAT, "a file's name or an option is not text in UTF-8, so it cannot be written down");
+    throw FileError(EX_CANTCREAT, "a file name or an option is not UTF-8 text, so the job cannot be saved");
   }
   for (const char* name : {"parts", "checkpoints", "stats", "logs"}) {
     std::error_code error;

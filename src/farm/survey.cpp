@@ -34,7 +34,7 @@ std::optional<double> seconds_of_unit(const Job& job, const JobFolder& folder) {
         sum += stats.at(what).as<double>();
       }
       count++;
-    } catch (const std::exception&) {  // not rendered yet, or not by this program: the others tell enough
+    } catch (const std::exception&) {  // not rendered yet, or not by this program: the others are enough
     }
   }
   return count == 0 ? std::nullopt : std::optional(sum / count);

@@ -1,4 +1,4 @@
-// The frames of an animation, and how the time of one of them lies in the time of the whole.
+// The frames of an animation, and how the time within a frame maps to the time of the animation.
 #pragma once
 
 namespace penumbra {
@@ -16,9 +16,9 @@ struct AnimationFrame {
   int first = 0, last = 0;  // of the animation
   int frame = 0;
 
-  // The time of the animation at which `own` (0: the frame begins, 1: the next one begins) is: 0 where the first frame
-  // begins and 1 where the last one does. Where a frame ends and where the next begins is the same number, to the bit.
-  // An animation of one frame is a still picture, whose time is its own.
+  // Maps `own`, the time within the frame (0: it begins, 1: the next one begins), to the time of the animation: 0 where
+  // the first frame begins, 1 where the last one begins. The end of a frame and the beginning of the next are the same
+  // number, to the bit. An animation of one frame is a still picture: its time is `own`.
   double time_at(double own) const {
     return (static_cast<double>(frame - first) + own) / (last > first ? last - first : 1);
   }

@@ -1,4 +1,4 @@
-// The camera and its time, and what is kept of the picture.
+// Options of the camera and its time, and of what is kept of the picture.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -43,7 +43,7 @@ PictureOption crop() {
 }
 
 PictureOption shutter() {
-  PictureOption row{"shutter", "O,C", "When the shutter opens and closes [the scene's, else 0,1]",
+  PictureOption row{"shutter", "O,C", "Times when the shutter opens and closes [the scene's, else 0,1]",
                     "shutter open close"};
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<double> n = numbers(text, ',');
@@ -93,13 +93,13 @@ PictureOption time() {
   row.apply = [](Scene& scene, const Options& options) {
     if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
   };
-  row.lines = no_lines;  // those of the shutter say it
+  row.lines = no_lines;  // --shutter has them
   return row;
 }
 
 PictureOption frames() {
-  PictureOption row{"frames", "A-B[xSTEP]", "Render an animation, from frame A to frame B, each STEP-th of them [no]",
-                    "", OptionUse::render};
+  PictureOption row{"frames", "A-B[xSTEP]", "Render an animation, every STEP-th frame from A to B [no]", "",
+                    OptionUse::render};
   row.parse = [](Options& options, std::string_view text) { return parse_frames(text, options.frames); };
   row.words = [](const Options& options, const Settings&) {
     if (!options.frames) return std::string();
@@ -117,7 +117,7 @@ PictureOption frames() {
 }
 
 PictureOption frame() {
-  PictureOption row{"frame", "N", "Of these frames, render this one alone [all]", "", OptionUse::render};
+  PictureOption row{"frame", "N", "Render only this one of the frames [all]", "", OptionUse::render};
   row.parse = [](Options& options, std::string_view text) {
     return parse_whole(text, 0, last_possible_frame, options.frame);
   };
@@ -165,7 +165,7 @@ PictureOption lens() {
 
 PictureOption lens_model() {
   PictureOption row{"lens-model", "thin|cone",
-                    "thin: rays from the lens; cone: from the eye, within the cone of blur of what the pinhole sees "
+                    "thin: rays from the lens; cone: from the eye, within the cone of blur of what a pinhole sees "
                     "[thin]",
                     ""};
   row.parse = [](Options& options, std::string_view text) {
@@ -182,7 +182,7 @@ PictureOption lens_model() {
 }
 
 PictureOption exposure() {
-  PictureOption row{"exposure", "STOPS", "Double the brightness this many times, in halves [0]", ""};
+  PictureOption row{"exposure", "STOPS", "Double the brightness this many times; halves allowed [0]", ""};
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<double> n = numbers(text, ',');
     if (n.size() != 1 || std::abs(2 * n[0]) > most_exposure_halves || 2 * n[0] != std::floor(2 * n[0])) {
@@ -201,7 +201,7 @@ PictureOption exposure() {
 PictureOption aov() {
   PictureOption row{"aov",
                     "LAYERS",
-                    fmt::format("More layers for an EXR: {} [none]", fmt::join(layer_names, ",")),
+                    fmt::format("Additional layers of an EXR: {} [none]", fmt::join(layer_names, ",")),
                     "",
                     OptionUse::sums_only,
                     true};
@@ -213,7 +213,7 @@ PictureOption aov() {
 }
 
 PictureOption bits() {
-  PictureOption row{"bits", "8|16", "Bits for each colour in a PNG [8]", "", OptionUse::output_only};
+  PictureOption row{"bits", "8|16", "Bits per channel in a PNG [8]", "", OptionUse::output_only};
   row.parse = [](Options& options, std::string_view text) {
     if (text != "8" && text != "16") return expected(text, "8 or 16");
     options.bits = text == "8" ? 8 : 16;

@@ -16,7 +16,7 @@ void paint(Image& image, const PixelRect& crop, int full_height, const PaintedRe
   });
 }
 
-// A channel of the file for each of the layer's.
+// Adds a channel to the file for each channel of the layer.
 void add_channels(ImageFile& file, const LayerRow& row, const ZeroedVector<float>& values) {
   const std::size_t channels = row.channels.size();
   for (std::size_t c = 0; c < channels; c++) {

@@ -1,4 +1,4 @@
-// From a film to the picture a file holds: means, exposure, painted rectangles, layers, metadata.
+// Turns a film into the picture that a file holds: means, exposure, painted rectangles, layers, metadata.
 #pragma once
 
 #include "image/image.hpp"
@@ -7,13 +7,13 @@
 
 namespace penumbra {
 
-// The film's memory is freed layer by layer, as the picture takes its place.
+// Frees the film's memory layer by layer, as the picture replaces it.
 ImageFile develop(Film film, const Development& development);
 
-// Its colours alone.
+// Only the colours.
 Image develop_color(const Film& film, const Development& development);
 
-// The factor of so many half steps: exact, and the same everywhere.
+// The factor of `halves` half stops: the same bits on every machine.
 double exposure_factor(int halves);
 
 // Multiplies all colours.

@@ -27,17 +27,17 @@ void serialize(Archive& archive, Archived<Archive, Development>& development) {
   if constexpr (Archive::reads) {
     const auto is_size = [](int side) { return side >= 1 && side <= most_side; };
     if (!is_size(development.full_width) || !is_size(development.full_height)) {
-      throw ArchiveError("there is no such size");
+      throw ArchiveError("the size is out of range");
     }
     for (const PaintedRect& rect : development.rects) {
       for (const int number : {rect.x0, rect.y0, rect.x1, rect.y1}) {
-        if (std::abs(std::int64_t{number}) > farthest_pixel) throw ArchiveError("there is no such rectangle");
+        if (std::abs(std::int64_t{number}) > farthest_pixel) throw ArchiveError("a rectangle is out of range");
       }
     }
     if (std::abs(std::int64_t{development.exposure_halves}) > most_exposure_halves) {
-      throw ArchiveError("there is no such exposure");
+      throw ArchiveError("the exposure is out of range");
     }
-    if (development.bits != 8 && development.bits != 16) throw ArchiveError("there is no such number of bits");
+    if (development.bits != 8 && development.bits != 16) throw ArchiveError("the number of bits is neither 8 nor 16");
   }
 }
 
@@ -53,7 +53,7 @@ Development development_from(const std::string& bytes) {
   Development development;
   ArchiveReader archive(std::as_bytes(std::span(bytes)));
   serialize(archive, development);
-  if (!archive.at_end()) throw ArchiveError("there is more in it than there should be");
+  if (!archive.at_end()) throw ArchiveError("it has more data than expected");
   return development;
 }
 

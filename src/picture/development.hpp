@@ -1,4 +1,4 @@
-// What makes the files of a picture out of its film: all but the film itself. A part of a picture carries it.
+// Everything but the film that determines the files of a picture. A part of a picture carries it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace penumbra {
 
-// The most half steps of exposure, either way.
+// The most half stops of exposure, in either direction.
 inline constexpr int most_exposure_halves = 40;
 
 struct Development {
@@ -18,11 +18,11 @@ struct Development {
   std::vector<PaintedRect> rects;
   Metadata metadata;
   int exposure_halves = 0;
-  int bits = 8;  // for each colour in a PNG
+  int bits = 8;  // per channel in a PNG
   Rounding rounding = Rounding::nearest;
 };
 
-// As bytes and back. Throws ArchiveError where the bytes cannot be one.
+// To bytes and back. Throws ArchiveError if the bytes are not a valid Development.
 std::string to_bytes(const Development& development);
 Development development_from(const std::string& bytes);
 

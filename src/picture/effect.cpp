@@ -3,7 +3,7 @@
 namespace penumbra {
 namespace {
 
-// Calls `set(index, radius)` for every thing that a radius is of.
+// Calls `set(index, radius)` for everything that a radius applies to.
 template <class Set>
 void for_each_meant(const std::vector<NumberedRadius>& radii, std::size_t count, const Set& set) {
   for (const NumberedRadius& wanted : radii) {

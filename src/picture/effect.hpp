@@ -1,5 +1,5 @@
-// The six effects that come from one mechanism, each of which a picture can do without (the lecture's "with and
-// without"), and the radii that make four of them strong or weak.
+// The six effects of distribution ray tracing, each of which can be left out of a picture (the lecture's "with and
+// without"), and the radii that set the strength of three of them.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 namespace penumbra {
 
 enum class Effect : std::uint8_t {
-  antialiasing,  // without: every ray goes through the same place of its pixel
+  antialiasing,  // without: every ray goes through the same point of its pixel
   lens,          // without: a pinhole
-  motion,        // without: the shutter stays at the moment when it opens
-  disk_lights,   // without: the centres alone of all lights with an area shine
+  motion,        // without: the shutter closes the moment it opens
+  disk_lights,   // without: all area lights shine from their centres only
   gloss,         // without: mirrors reflect sharply
-  translucency   // without: what is transmitted is sharp
+  translucency   // without: transmission is sharp
 };
 
 inline constexpr std::string_view effect_names[] = {"antialiasing", "lens",  "motion",
@@ -43,7 +43,7 @@ class Effects {
 // The names, separated by commas.
 std::string to_string(Effects effects);
 
-// The scene without these effects.
+// Removes these effects from the scene.
 void leave_out(Scene& scene, Effects effects);
 
 // The radius of one light or surface, counted from 1 in the order of the scene, or of all of them (0).
@@ -54,7 +54,7 @@ struct NumberedRadius {
   bool operator==(const NumberedRadius&) const = default;
 };
 
-// Sets radii in their order: of the surfaces that reflect, of those that transmit, of the disk lights.
+// Set the radii, in order, of the surfaces that reflect, of those that transmit, and of the disk lights.
 void set_gloss(Scene& scene, const std::vector<NumberedRadius>& radii);
 void set_blur(Scene& scene, const std::vector<NumberedRadius>& radii);
 void set_disk_radius(Scene& scene, const std::vector<NumberedRadius>& radii);

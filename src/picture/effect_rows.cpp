@@ -1,4 +1,4 @@
-// More or less of an effect, of all that have it or of one by its number.
+// Options that set the strength of an effect, for everything that has it or for one thing by its number.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,7 +30,7 @@ void replace_radius(std::vector<NumberedRadius>& radii, int number, double radiu
 
 PictureOption disk_radius() {
   PictureOption row = radii<&Options::disk_radius, set_disk_radius>(
-      "disk-radius", "Radius of all disk lights, or of light N alone [the scene's]", "disk_light ... radius ...");
+      "disk-radius", "Radius of all disk lights, or only of light N [the scene's]", "disk_light ... radius ...");
   row.lines = light_lines;
   row.knobs = [](const Scene& scene, const Options&) {
     std::vector<Knob> knobs;
@@ -53,7 +53,7 @@ PictureOption disk_radius() {
 
 PictureOption gloss() {
   PictureOption row = radii<&Options::gloss, set_gloss>(
-      "gloss", "Gloss radius of all surfaces that reflect, or of surface N alone [the scene's]",
+      "gloss", "Gloss radius of all reflecting surfaces, or only of surface N [the scene's]",
       "glossy ... gloss_radius");
   row.lines = surface_lines;
   row.knobs = [](const Scene& scene, const Options&) {
@@ -76,9 +76,9 @@ PictureOption gloss() {
 
 PictureOption blur() {
   PictureOption row = radii<&Options::blur, set_blur>(
-      "blur", "Blur radius of all surfaces that transmit, or of surface N alone [the scene's]",
+      "blur", "Blur radius of all transmitting surfaces, or only of surface N [the scene's]",
       "translucent ... blur_radius");
-  row.lines = no_lines;  // those of --gloss say it
+  row.lines = no_lines;  // --gloss has them
   row.knobs = [](const Scene& scene, const Options&) {
     std::vector<Knob> knobs;
     for (std::size_t i = 0; i < scene.surfaces.size(); i++) {

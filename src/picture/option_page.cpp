@@ -11,21 +11,21 @@ constexpr std::string_view introduction = R"(# Options that change a picture
 
 *This page is generated from the table of options (`make docs`).*
 
-`penumbra render` takes all of them. `penumbra view` takes those that the last column does not reserve to `render`, and
-`penumbra check` takes `--course` and `--lenient`. The command line wins over the scene. A picture file carries the
-options it was made with as metadata, under the same names, so that the same command makes the same file again; the key
-**C** of the window copies what was changed as lines of the scene language.
+`penumbra render` takes all of these options, `penumbra view` those that the last column does not reserve for `render`,
+and `penumbra check` only `--course` and `--lenient`. The command line overrides the scene. A picture file records the
+options it was made with as metadata, under the same names, so that the same file can be made again. The key **C** of
+the window copies changed settings as lines of the scene language.
 
-The options that change only how a picture is made (threads, progress, checkpoints, shards, files) are listed by
+The options that affect only how a picture is made (threads, progress, checkpoints, shards, files) are listed by
 `penumbra render --help`.
 
-| option | meaning | without it | in a scene | where |
+| option | meaning | default | in a scene | where |
 | --- | --- | --- | --- | --- |
 )";
 
 constexpr std::string_view ending = R"(
-Limits: pictures have 1 to {} pixels a side and at most {} in all; 1 to {} rays go through a pixel; a hit of an eye ray
-sends 1 to {} rays of a kind; the depth of rays is 0 to {}.
+Limits: 1 to {} pixels per side and at most {} in all; 1 to {} rays per pixel; 1 to {}
+rays of each kind per hit of an eye ray; depth 0 to {}.
 )";
 
 std::string with_escaped_bars(std::string_view text) {

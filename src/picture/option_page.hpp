@@ -1,11 +1,11 @@
-// The reference page of the options that change a picture, made from the table.
+// The reference page of the options that change a picture, generated from the table.
 #pragma once
 
 #include <string>
 
 namespace penumbra {
 
-// docs/options.md, all of it.
+// The whole of docs/options.md.
 std::string options_markdown();
 
 }  // namespace penumbra

@@ -5,7 +5,7 @@
 
 namespace penumbra::option_rows {
 
-// settings_rows.cpp: how the rays of a picture are spent
+// settings_rows.cpp: size, rays and samples
 PictureOption size();
 PictureOption rays();
 PictureOption sampler();
@@ -22,7 +22,7 @@ PictureOption lenient();
 PictureOption no_shadows();
 PictureOption transparent_shadows();
 
-// camera_rows.cpp: camera and time, and what is kept of the picture
+// camera_rows.cpp: camera, time, and what is kept of the picture
 PictureOption crop();
 PictureOption shutter();
 PictureOption time();
@@ -34,7 +34,7 @@ PictureOption exposure();
 PictureOption aov();
 PictureOption bits();
 
-// effect_rows.cpp: more or less of an effect
+// effect_rows.cpp: strength of effects
 PictureOption disk_radius();
 PictureOption gloss();
 PictureOption blur();

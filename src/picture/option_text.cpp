@@ -10,7 +10,7 @@
 namespace penumbra {
 namespace {
 
-// Takes a number of digits alone off `text`.
+// Removes a number without a sign from the front of `text`; none if there is none.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -1,4 +1,4 @@
-// Values of options as text: what the rows of the option table share in reading and writing them.
+// Option values as text: reading and writing shared by the rows of the option table.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ std::string expected(std::string_view text, std::string_view what);
 // "there is no pattern `text`; there are ...".
 std::string unknown(std::string_view what, std::string_view text, std::string_view names);
 
-// A number, decimal, from `low` to `high`; what is wrong with the text, empty if nothing is. The result stays as it was
-// then.
+// Parse a decimal number from `low` to `high`. Return what is wrong with the text, leaving `value` unchanged; empty if
+// nothing is.
 std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::int64_t& value);
 std::string parse_number(std::string_view text, double low, double high, std::string_view what,
                          std::optional<double>& value);
@@ -39,7 +39,7 @@ std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t hi
 // "A-B" or "A-BxSTEP".
 std::string parse_frames(std::string_view text, std::optional<AnimationRange>& range);
 
-// "0.2" is for all, "3:0.2" for number 3.
+// "0.2" applies to all, "3:0.2" to number 3.
 std::string parse_radius(std::string_view text, std::vector<NumberedRadius>& radii);
 std::string radii_in_words(const std::vector<NumberedRadius>& radii);
 

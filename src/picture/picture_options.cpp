@@ -12,7 +12,7 @@ namespace {
 std::string beyond(std::span<const NumberedRadius> radii, std::size_t count, const char* option, const char* things) {
   for (const NumberedRadius& radius : radii) {
     if (static_cast<std::size_t>(radius.number) <= count) continue;
-    return fmt::format("{} names number {} of {} {}", option, radius.number, count, things);
+    return fmt::format("{} names number {}, but the number of {} is {}", option, radius.number, things, count);
   }
   return {};
 }

@@ -1,5 +1,5 @@
-// What can be asked of a picture beside its scene, on the command line or in the window, and the scene that comes of
-// it. option_table.hpp has a row for each of them.
+// The options of a picture, from the command line or the window, and the scene with them applied. option_table.hpp has
+// a row for each of them.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace penumbra {
 
-// Options left out are empty: the scene's own word counts then.
+// An empty option leaves the scene's own value.
 struct PictureOptions {
   std::optional<std::pair<int, int>> size;
   std::optional<int> rays, max_depth;
@@ -26,23 +26,23 @@ struct PictureOptions {
   std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;
-  std::optional<AnimationRange> frames;           // `shutter` and `time` are then in a frame's own time
-  std::optional<int> frame;                       // of these, this one alone
+  std::optional<AnimationRange> frames;           // `shutter` and `time` then are in a frame's own time
+  std::optional<int> frame;                       // only this one of them
   std::optional<std::pair<double, double>> lens;  // radius, distance of the plane in focus
-  // Later ones win. Gloss is of surfaces that reflect, blur of those that transmit; numbers count all surfaces.
+  // Later ones win. Gloss applies to surfaces that reflect, blur to those that transmit; numbers count all surfaces.
   std::vector<NumberedRadius> gloss, blur, disk_radius;
   Effects without;
-  int exposure_halves = 0;  // the picture's brightness is doubled this many times, counted in halves
+  int exposure_halves = 0;  // stops: brightness doublings, counted in halves
   LensModel lens_model = LensModel::thin;
   bool no_shadows = false, transparent_shadows = false, regular_lights = false;
   Course course = Course::off;         // off: the scene's own
   std::optional<Highlight> highlight;  // of surfaces that leave it open
   bool lenient = false;
-  Layers layers;  // beside the colour, in an EXR
-  int bits = 8;   // of each colour in a PNG
+  Layers layers;  // besides the colour, in an EXR
+  int bits = 8;   // per channel in a PNG
 
   SampleCounts sample_counts() const { return noise ? SampleCounts::per_pixel : SampleCounts::uniform; }
-  // The frame that is rendered; none of a still picture.
+  // The frame that is rendered; none for a still picture.
   std::optional<AnimationFrame> animation_frame() const {
     if (!frames || !frame) return std::nullopt;
     return AnimationFrame{frames->first, frames->last, *frame};
@@ -50,10 +50,10 @@ struct PictureOptions {
   bool operator==(const PictureOptions&) const = default;
 };
 
-// Says which option names a light or a surface that the scene does not have; empty if none does.
+// The sentence about an option that names a light or a surface the scene does not have; empty if none does.
 std::string missing_number(const Scene& scene, const PictureOptions& options);
 
-// The scene with what the options say in place of its own words.
+// The scene with the options applied.
 Scene with_options(Scene scene, const PictureOptions& options);
 
 }  // namespace penumbra

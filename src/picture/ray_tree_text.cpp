@@ -18,22 +18,23 @@ std::string name_of(const RecordedRay& ray) {
 
 std::string hit_of(const RecordedRay& ray) {
   if (!ray.hit) {
-    return ray.kind == RayKind::shadow ? fmt::format("nothing in the way for {}", ray.light_distance) : "hits nothing";
+    return ray.kind == RayKind::shadow ? fmt::format("nothing in the way for a distance of {}", ray.light_distance)
+                                       : "hits nothing";
   }
   const std::string place =
       fmt::format("surface {} at distance {}, point {}", ray.surface + 1, ray.distance, words(ray.point));
-  if (ray.kind == RayKind::shadow) return "in the way is " + place;
+  if (ray.kind == RayKind::shadow) return "blocked by " + place;
   return fmt::format("hits {}, normal {}, ambient {}", place, words(ray.normal), words(ray.ambient));
 }
 
 std::string result_of(const RecordedRay& ray) {
   if (ray.kind == RayKind::shadow) {
-    std::string back = fmt::format("came back {}", ray.came_back[0]);
+    std::string back = fmt::format("returned {}", ray.came_back[0]);
     if (ray.came_back[0] == 0) return back;
     return fmt::format("{}, factor {}, adds {}", back, words(ray.factor), words(ray.adds));
   }
   const std::string share = ray.count > 1 ? fmt::format(" of the mean of {}", ray.count) : std::string();
-  return fmt::format("came back {}, factor {}{}", words(ray.came_back), ray.factor[0], share);
+  return fmt::format("returned {}, factor {}{}", words(ray.came_back), ray.factor[0], share);
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ std::string ray_tree_text(const Frame& frame, const RayTree& tree, int x, int y,
     text += fmt::format("{}: from {} toward {}, time {}; {}; {}\n", name_of(ray), words(ray.origin),
                         words(ray.direction), ray.time, hit_of(ray), result_of(ray));
   }
-  if (tree.left_out > 0) text += fmt::format("... and {} rays more\n", tree.left_out);
+  if (tree.left_out > 0) text += fmt::format("... and {} more rays\n", tree.left_out);
   return text + fmt::format("sum {}; in the film {}\n", words(sum_of(tree, 0)), words(value_in_film(frame, tree)));
 }
 

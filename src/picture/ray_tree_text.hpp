@@ -1,4 +1,4 @@
-// The rays of one sample in words.
+// The rays of one sample as text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace penumbra {
 
-// One line for each ray, deeper ones indented, every number to the last digit; then the sum.
+// One line per ray, indented by depth, with every number to its last digit; then the sum.
 std::string ray_tree_text(const Frame& frame, const RayTree& tree, int x, int y, std::uint32_t sample);
 
 }  // namespace penumbra

@@ -34,7 +34,7 @@ std::string texture_line(const Surface& s) {
   return {};
 }
 
-// `glossy` and `translucent` know no ambient light, and their highlight is not open.
+// `glossy` and `translucent` can express neither ambient light nor an open highlight.
 bool has_command(const Surface& s) {
   return !s.open_highlight && s.ambient.x == 0 && s.ambient.y == 0 && s.ambient.z == 0;
 }
@@ -82,7 +82,7 @@ std::string surface_lines(const Scene& before, const Scene& after) {
     if (has_command(s)) {
       text += surface_line(s) + texture_line(s);
     } else {
-      text += fmt::format("# surface {}: gloss radius {}, blur radius {}; it has no command for them\n", i + 1,
+      text += fmt::format("# surface {}: gloss radius {}, blur radius {}; there is no command for them\n", i + 1,
                           s.gloss_radius, s.blur_radius);
     }
   }

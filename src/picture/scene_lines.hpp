@@ -1,4 +1,4 @@
-// What options change, in the words of the scene language.
+// The changes that options make, as lines of the scene language.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace penumbra {
 
-// One line for each command whose numbers `options` change: those of the camera and of the whole picture replace or
-// follow the scene's, those of lights and surfaces replace the line that made them. An option for which the language
-// has no command is a comment. Empty if nothing is changed.
+// One line for each command whose numbers `options` change: lines of the camera and of the whole picture replace the
+// scene's or are added, lines of lights and surfaces replace the line that defined them. An option without a command is
+// a comment. Empty if nothing changes.
 std::string changed_lines(const Scene& scene, const PictureOptions& options);
 
-// The commands that turn what `before` says into what `after` says; empty where they say the same.
+// The commands that turn `before` into `after`; empty if they agree.
 std::string size_lines(const Scene& before, const Scene& after);
 std::string lens_lines(const Scene& before, const Scene& after);
 std::string shutter_lines(const Scene& before, const Scene& after);
@@ -21,10 +21,10 @@ std::string highlight_lines(const Scene& before, const Scene& after);
 std::string surface_lines(const Scene& before, const Scene& after);
 std::string light_lines(const Scene& before, const Scene& after);
 
-// Of an option that changes only what the lines of another one say.
+// No lines: for an option whose changes are in the lines of another one.
 std::string no_lines(const Scene& before, const Scene& after);
 
-// The comment about an option for which there is no command.
+// The comment for an option without a command.
 std::string comment_line(std::string_view option, std::string_view words);
 
 }  // namespace penumbra

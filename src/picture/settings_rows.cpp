@@ -1,4 +1,4 @@
-// How the rays of a picture are spent: what scene/settings.hpp has, and how many rays are worth it.
+// Options of size, rays and samples: the settings of scene/settings.hpp, and when a pixel has enough rays.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace {
 
 using Options = PictureOptions;
 
-// A row for a whole number that scenes say too: at least `low`, at most `high`. Its words are always said, or where it
-// was asked for or is not 1.
+// A row for a whole number from `low` to `high` that scenes can set, too. Without `always`, it has words only if the
+// option is given or the number is not 1.
 template <auto asked, auto setting, std::int64_t low, std::int64_t high, bool always>
 PictureOption whole_number(std::string_view name, std::string help, std::string_view command) {
   PictureOption row{name, "N", std::move(help), command};
@@ -32,7 +32,7 @@ PictureOption whole_number(std::string_view name, std::string help, std::string_
   return row;
 }
 
-// A row for a flag; the setting has the value `then` where it is given.
+// A row for a flag; if it is given, the setting gets the value `then`.
 template <bool Options::*asked>
 PictureOption flag(std::string_view name, std::string help) {
   PictureOption row{name, "", std::move(help), ""};
@@ -55,7 +55,7 @@ PictureOption flag(std::string_view name, std::string help) {
 }  // namespace
 
 PictureOption size() {
-  PictureOption row{"size", "WxH", "Pixels [the scene's, else 300x300]", "image_size w h"};
+  PictureOption row{"size", "WxH", "Size in pixels [the scene's, else 300x300]", "image_size w h"};
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<int> n = whole_numbers(text, 'x');
     const auto is_side = [](int side) { return side >= 1 && side <= most_side; };
@@ -99,7 +99,7 @@ PictureOption sampler() {
     return std::string(pattern_names[static_cast<int>(settings.pattern)]);
   };
   row.apply = [](Scene& scene, const Options& options) {
-    // The course's pictures are of independent random samples.
+    // The course's pictures use independent random samples.
     if (options.course != Course::off) scene.settings.pattern = Pattern::random;
     if (options.sampler) scene.settings.pattern = *options.sampler;
   };
@@ -133,7 +133,7 @@ PictureOption seed() {
 
 PictureOption max_depth() {
   PictureOption row = whole_number<&Options::max_depth, &Settings::max_depth, 0, most_depth, true>(
-      "max-depth", "Depth at which no further ray is sent [the scene's, else 8]", "max_depth n");
+      "max-depth", "Depth at which no further rays are sent [the scene's, else 8]", "max_depth n");
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     return {{"max depth",
              Knob::Kind::slider,
@@ -148,17 +148,17 @@ PictureOption max_depth() {
 
 PictureOption reflection_rays() {
   return whole_number<&Options::reflection_rays, &Settings::reflection_rays, 1, most_hit_rays, false>(
-      "reflection-rays", "Reflected rays from what an eye ray hits [the scene's, else 1]", "reflection_rays n");
+      "reflection-rays", "Reflected rays per hit of an eye ray [the scene's, else 1]", "reflection_rays n");
 }
 
 PictureOption transmission_rays() {
   return whole_number<&Options::transmission_rays, &Settings::transmission_rays, 1, most_hit_rays, false>(
-      "transmission-rays", "Transmitted rays from what an eye ray hits [the scene's, else 1]", "transmission_rays n");
+      "transmission-rays", "Transmitted rays per hit of an eye ray [the scene's, else 1]", "transmission_rays n");
 }
 
 PictureOption shadow_rays() {
   return whole_number<&Options::shadow_rays, &Settings::shadow_rays, 1, most_hit_rays, false>(
-      "shadow-rays", "Shadow rays from what an eye ray hits to each area light [the scene's, else 1]", "shadow_rays n");
+      "shadow-rays", "Shadow rays to each area light per hit of an eye ray [the scene's, else 1]", "shadow_rays n");
 }
 
 PictureOption sampler_light() {
@@ -176,8 +176,9 @@ PictureOption sampler_light() {
 }
 
 PictureOption noise() {
-  PictureOption row{"noise", "E", "As many rays as each pixel needs for this standard error, colours being 0..1 [off]",
-                    "", OptionUse::render};
+  PictureOption row{"noise", "E",
+                    "Adaptive: as many rays as each pixel needs for this standard error of colours in 0..1 [off]", "",
+                    OptionUse::render};
   row.parse = [](Options& options, std::string_view text) {
     return parse_number(text, 1e-5, 1, "an error from 1e-5 to 1", options.noise);
   };
@@ -189,7 +190,7 @@ PictureOption noise() {
 
 PictureOption course() {
   PictureOption row{"course", "YEAR",
-                    fmt::format("The course's own picture, to the pixel; of a year that drew some things in its own "
+                    fmt::format("Reproduce the course's own picture, pixel for pixel; of a year that drew some things in its own "
                                 "way: {} [off]",
                                 years_in_words),
                     "course [year]"};
@@ -246,7 +247,7 @@ PictureOption no_shadows() {
 
 PictureOption transparent_shadows() {
   return flag<&Options::transparent_shadows, &Settings::transparent_shadows, true>(
-      "transparent-shadows", "Shadow rays pass translucent surfaces, times k_trans for each [off]");
+      "transparent-shadows", "Shadow rays pass translucent surfaces, multiplied by k_trans at each [off]");
 }
 
 }  // namespace penumbra::option_rows

@@ -1,7 +1,7 @@
 // Two rounds over the tiles of the picture. In the first, every pixel gets the same few samples, in four blocks whose
-// means tell the pixel's error. In the second, each tile doubles the samples of the pixels that are worth it until none
-// is left; of pixels outside the tile it knows the first round only, so that tiles do not wait for each other and no
-// order of them shows.
+// means give an estimate of the pixel's error. In the second, each tile keeps doubling the samples of the pixels that
+// are worth it until none is left. Of pixels outside the tile it uses only the first round, so that tiles do not wait
+// for each other and their order does not show.
 #include "rendering/adaptive.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ PixelRect whole_tiles(const PixelRect& crop, const Frame& frame) {
   return {down(crop.x0), down(crop.y0), up(crop.x1, frame.settings.width), up(crop.y1, frame.settings.height)};
 }
 
-// What the pixels of a crop see, in the picture of this frame.
+// A crop with the neighbours that its pixels' estimates use, inside the picture.
 PixelRect with_neighbours(const PixelRect& crop, const Frame& frame) {
   return intersection({crop.x0 - noise_reach, crop.y0 - noise_reach, crop.x1 + noise_reach, crop.y1 + noise_reach},
                       {0, 0, frame.settings.width, frame.settings.height});
@@ -102,7 +102,7 @@ void AdaptiveRender::serialize_tile(Archive& archive, Archived<Archive, Adaptive
 void AdaptiveRender::write(ArchiveWriter& archive, int tile) const { serialize_tile(archive, *this, tile); }
 void AdaptiveRender::read(ArchiveReader& archive, int tile) { serialize_tile(archive, *this, tile); }
 
-// Whether the tile in this column and row of the whole picture is to be finished.
+// Whether the tile in this column and row of the whole picture has to be finished.
 bool AdaptiveRender::is_wanted(int column, int row) const {
   return wanted_.contains(column * noise_tile_size, row * noise_tile_size) && plan_.shard.has(column, row);
 }
@@ -112,7 +112,7 @@ bool AdaptiveRender::is_wanted(int tile) const {
   return is_wanted(pixels.x0 / noise_tile_size, pixels.y0 / noise_tile_size);
 }
 
-// Calls `visit(pixels)` for what the first round needs of a tile.
+// Calls `visit(pixels)` for the pixels of a tile that the first round needs.
 template <class Visit>
 void AdaptiveRender::for_needed(int tile, const Visit& visit) const {
   for_first_round(
@@ -133,7 +133,7 @@ void AdaptiveRender::render_first(int index, const ChunkRenderer& renderer) {
   renderer.state.pixel_samples_done.fetch_add(samples_of_first_round(index), std::memory_order_relaxed);
 }
 
-// The first round of some pixels of a tile; incomplete if it was stopped.
+// The first round of some pixels of a tile; incomplete if stopped.
 void AdaptiveRender::render_first(const PixelRect& pixels, const ChunkRenderer& renderer) {
   const PixelList list = pixels_of(pixels);
   const std::uint32_t samples = (1u << rules_.first_level) / 4;
@@ -177,7 +177,7 @@ void AdaptiveRender::refine(int index, const ChunkRenderer& renderer) {
   renderer.state.pixel_samples_done.fetch_add(expected_samples(index), std::memory_order_relaxed);
 }
 
-// The sum of `samples(tile)` over all tiles that have `property(tile)`. For the progress only.
+// The sum of `samples(tile)` over all tiles with `property(tile)`, for progress only.
 template <class Property, class Samples>
 std::uint64_t AdaptiveRender::sum_of(const Property& property, const Samples& samples) const {
   std::uint64_t sum = 0;
@@ -193,7 +193,7 @@ std::uint64_t AdaptiveRender::samples_of_first_round(int tile) const {
   return pixels << rules_.first_level;
 }
 
-// How many samples the second round of a tile may take.
+// An estimate of the samples that the second round of a tile takes.
 std::uint64_t AdaptiveRender::expected_samples(int tile) const {
   std::uint64_t samples = 0;
   for_pixels(grid_.tile(tile), [&](int x, int y) {

@@ -1,5 +1,5 @@
-// As many rays as a pixel needs: more where the picture is uncertain, until the standard error of every pixel is small
-// enough. noise_estimate.hpp tells how the error is known, adaptive_rules.hpp where the rays go.
+// Adaptive rendering: every pixel gets rays until its standard error is small enough. noise_estimate.hpp explains how
+// the error is estimated, adaptive_rules.hpp where the rays go.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@
 
 namespace penumbra {
 
-inline constexpr std::uint32_t fewest_adaptive_rays = 4;  // the smallest `most_rays` there is
+inline constexpr std::uint32_t fewest_adaptive_rays = 4;  // the smallest valid `most_rays`
 
-// The film comes out the same for all threads, kernels, crops and sittings.
+// The film is the same for all threads, kernels, crops and sessions.
 class AdaptiveRender : public ResumableRender {
  public:
-  // The frame must be made for `most_rays` a pixel. Frame and kernel must outlive this.
+  // The frame must be made for `most_rays` per pixel. Frame and kernel must outlive this.
   AdaptiveRender(const Frame& frame, const Kernel& kernel, const Plan& plan, const NoiseGoal& goal);
 
   RayCounts run(RenderState& state) override;
   bool is_finished() const override;
   std::uint64_t unfinished_pixels() const override;
-  // Where a tile is not finished, it has no variance yet.
+  // Unfinished tiles have no variance yet.
   Film take_film() override;
 
-  // Covers the plan's crop and what its tiles see around it.
+  // Covers the tiles of the plan's crop and the neighbours that they use.
   const TileGrid& grid() const override { return grid_; }
   bool has_begun(int tile) const override { return stage_of(tile) != Stage::none; }
   void write(ArchiveWriter& archive, int tile) const override;
@@ -40,8 +40,8 @@ class AdaptiveRender : public ResumableRender {
   enum class Stage : std::uint8_t { none, first, refining, finished };
   struct Tile {
     Stage stage = Stage::none;
-    std::uint16_t unfinished = 0;                // of its pixels
-    std::unique_ptr<TileRefinement> refinement;  // while it is refining
+    std::uint16_t unfinished = 0;                // number of pixels
+    std::unique_ptr<TileRefinement> refinement;  // in stage `refining` only
   };
 
   template <class Archive>
@@ -63,7 +63,7 @@ class AdaptiveRender : public ResumableRender {
 
   Plan plan_;
   PixelRect wanted_;  // the whole tiles that cover the plan's crop
-  TileGrid grid_;     // of these tiles and what they see around them
+  TileGrid grid_;     // these tiles and the neighbours that they use
   Film film_;
   const Frame& frame_;
   const Kernel& kernel_;

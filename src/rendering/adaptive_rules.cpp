@@ -7,9 +7,9 @@
 namespace penumbra {
 namespace {
 
-// Samples of the first round, times the goal: the error of a pixel in which they all miss something bright, as far as
-// one that covers a few times 1 / samples of it is likely missed. What glows more than white needs more of them; what
-// is so bright and so small that 4096 samples miss it, stays unseen.
+// The number of samples of the first round, times the goal. If all samples miss a bright object, which is likely only
+// if it covers no more than a few times 1 / samples of the pixel, that share is the pixel's error. Objects that glow
+// brighter than white need more samples; one so bright and so small that 4096 samples miss it stays unseen.
 constexpr float first_samples_times_goal = 0.15f;
 constexpr int fewest_first_level = 4, most_first_level = 12;
 

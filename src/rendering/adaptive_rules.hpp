@@ -1,9 +1,9 @@
 // Where the rays of an adaptive render go: how many a pixel gets in the first round, and whether it is worth more.
 //
 // A pixel is worth more samples while its error is above the goal. That alone would spend most rays on the few noisiest
-// pixels. The error of the whole picture is least, for the same number of rays, where one more ray improves all pixels
-// alike, so that rays go as the square root of a pixel's variance. Thus a pixel goes on also while a ray improves it by
-// more than it would improve a pixel of ordinary noise that just meets the goal.
+// pixels. For a given number of rays, the error of the whole picture is smallest if one more ray improves all pixels
+// equally, so that a pixel's rays are proportional to the square root of its variance. Therefore a pixel also continues
+// while a ray improves it by more than it would improve a pixel of ordinary noise that just meets the goal.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,13 @@
 namespace penumbra {
 
 struct NoiseGoal {
-  // The standard error that no pixel shall exceed: the root of the mean of the squares over r, g, b, each clamped to
-  // 0..1.
+  // The standard error that no pixel should exceed: the root mean square over r, g, b, each clamped to 0..1.
   float error = 0.01f;
-  // The most rays a pixel gets; what is not a power of two is rounded down to one.
+  // The most rays a pixel gets, rounded down to a power of two.
   std::uint32_t most_rays = 1u << 16;
 };
 
-// Levels are logarithms of numbers of samples, to base 2.
+// Levels are base-2 logarithms of sample counts.
 struct AdaptiveRules {
   AdaptiveRules(const NoiseGoal& goal, const Frame& frame);
 
@@ -36,7 +35,7 @@ struct AdaptiveRules {
     const float improvement = squared_error / static_cast<float>(1u << level);
     return squared_error > goal_squared || improvement * ordinary_variance > goal_squared * goal_squared;
   }
-  // What a pixel may end with, by its own noise after the first round.
+  // The level a pixel may end with, judging by its own noise after the first round.
   int expected_level(const PixelNoise& noise) const;
 };
 

@@ -84,7 +84,7 @@ LastCheckpoint read_last_checkpoint(const std::filesystem::path& path) {
   }
   try {
     return {Checkpoint(read_file(previous), previous.string()),
-            fmt::format("{}; going on from the one before it, `{}`", trouble, previous.string())};
+            fmt::format("{}; resuming from the previous one, `{}`", trouble, previous.string())};
   } catch (const FileError& damage) {
     throw FileError(damage.exit_code, fmt::format("{}; {}", trouble, damage.what()));
   }

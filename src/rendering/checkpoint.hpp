@@ -1,4 +1,4 @@
-// A file from which a render goes on after it was stopped, killed or moved to another machine.
+// A file from which a render resumes after it was stopped, killed or moved to another machine.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace penumbra {
 
-// What all sittings so far have taken.
+// The rays and the time of all sessions so far.
 struct Spent {
   RayCounts rays;
   double seconds = 0;
@@ -20,20 +20,20 @@ struct Spent {
 
 std::vector<std::byte> encode_checkpoint(const PictureKey& key, const Spent& spent, const ResumableRender& render);
 
-// A checkpoint that was read and found whole.
+// A checkpoint that was read and is intact.
 class Checkpoint {
  public:
-  // Throws FileError 65, with `name` for the file's, where the bytes are damaged or no checkpoint.
+  // Throws FileError 65, which calls the file `name`, if the bytes are damaged or not a checkpoint.
   Checkpoint(std::vector<std::byte> bytes, std::string name);
 
   const PictureKey& key() const { return key_; }
   const Spent& spent() const { return spent_; }
 
-  // Throws FileError 65 unless it is of the picture with this key.
+  // Throws FileError 65 unless it belongs to the picture with this key.
   void require(const PictureKey& key) const;
 
-  // Puts a new render where the one of the checkpoint stood, which must have been of the same picture.
-  // Throws FileError 65 where that cannot be.
+  // Brings a new render of the same picture to the state in the checkpoint. Throws FileError 65 if that state does not
+  // fit the render.
   void restore(ResumableRender& render) const;
 
  private:
@@ -43,12 +43,12 @@ class Checkpoint {
   Spent spent_;
 };
 
-// The newest checkpoint of a file and its previous one (base/atomic_file.hpp) that is whole.
+// The newest intact checkpoint, of a file and its previous version (base/atomic_file.hpp).
 struct LastCheckpoint {
   std::optional<Checkpoint> checkpoint;  // none if there is no file
-  std::string warning;                   // what is wrong with the newest, where it is not that one
+  std::string warning;                   // what is wrong with the file, if its previous version is used
 };
-// Throws FileError 65 where none is whole.
+// Throws FileError 65 if none is intact.
 LastCheckpoint read_last_checkpoint(const std::filesystem::path& path);
 
 // Whether the file begins as a checkpoint does, or is empty.

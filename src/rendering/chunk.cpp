@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t samples_of_packet = 32;
 constexpr double rays_at_once = 1 << 19;
 
-// The rays that a sample sends, roughly.
+// A rough count of the rays that a sample sends.
 double rays_of_sample(const Frame& frame) {
   double at_eye = 1, deeper = 1;
   for (const FrameLight& light : frame.lights) {

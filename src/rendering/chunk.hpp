@@ -1,5 +1,5 @@
-// The work that a thread does between two looks at the stop flag, some hundredths of a second by a rough guess from the
-// number of rays that a sample sends: a chunk is some pixels of a tile, and takes a number of their samples at a time.
+// The work that a thread does between two looks at the stop flag: some pixels of a tile and, at a time, a number of
+// their samples. It takes some hundredths of a second, judging by a rough count of the rays that a sample sends.
 #pragma once
 
 #include <algorithm>
@@ -15,23 +15,23 @@ namespace penumbra {
 
 struct ChunkSize {
   std::size_t pixels;
-  std::uint32_t samples;  // of each of them at a time
+  std::uint32_t samples;  // of each pixel at a time
 };
 
-// The largest chunk of so many pixels, rounded up to a power of two: all of them and many samples, else halves of them,
-// and so on down to single pixels. Of several pixels it has `fewest_samples` or more.
+// The largest chunk for this number of pixels, rounded up to a power of two: all of them and many samples, else half of
+// them, and so on down to single pixels. A chunk of several pixels takes at least `fewest_samples`.
 ChunkSize chunk_size(const Frame& frame, std::size_t pixels, std::uint32_t fewest_samples);
 
 struct Chunk {
   std::span<const Pixel> pixels;
   std::uint32_t samples;
 
-  // Where the samples that follow `first` end, if they go up to `end`. Samples come in whole packets of the widest
-  // machine: these may not be cut where Embree is asked (tracing/packets.hpp).
+  // Where the batch of samples that starts at `first` ends, at most at `end`. Batches are whole packets of the widest
+  // machine, which must not be cut where Embree is used (tracing/packets.hpp).
   std::uint32_t end_after(std::uint32_t first, std::uint32_t end) const;
 };
 
-// The one way in which samples are added to a film; each thread has its own.
+// The one way in which samples enter a film; each thread has its own renderer.
 struct ChunkRenderer {
   Film& film;
   const Frame& frame;
@@ -40,7 +40,7 @@ struct ChunkRenderer {
   RenderState& state;
   FilmView view = film.view();
 
-  // Calls `work(chunk)` for the chunks of some pixels until one call returns false, and returns what the last one did.
+  // Calls `work(chunk)` for the chunks of some pixels until a call returns false. Returns the last result.
   template <class Work>
   bool for_chunks(std::span<const Pixel> pixels, std::uint32_t fewest_samples, const Work& work) const {
     const ChunkSize size = chunk_size(frame, pixels.size(), fewest_samples);
@@ -52,8 +52,8 @@ struct ChunkRenderer {
     return true;
   }
 
-  // Adds the samples of a range to the pixels of a chunk, and calls `added(first, end)` whenever some are; these are no
-  // part of the film's counts yet. False if it was stopped before the end.
+  // Adds the samples of a range to the pixels of a chunk, and calls `added(first, end)` after each batch, which the
+  // film's counts do not include yet. Returns false if stopped before the end.
   template <class Added>
   bool render(const Chunk& chunk, SampleRange range, const Added& added) const {
     for (std::uint32_t first = range.first; first < range.end;) {

@@ -46,7 +46,7 @@ FilmView Film::view() {
   FilmView view;
   view.pixels = crop_;
   for (const LayerRow& row : layer_table) {
-    // The squares of the samples do not tell the variance where each pixel has its own number of them.
+    // If each pixel has its own number of samples, their squares do not give the variance.
     if (row.layer == Layer::variance && counts_ == SampleCounts::per_pixel) continue;
     ZeroedVector<double>& plane = sums_[index_of(row.layer)];
     if (!plane.empty()) view.add({row.layer, row.sums(), plane.data()});
@@ -107,7 +107,7 @@ ZeroedVector<float> Film::means(Layer layer) const {
   const ZeroedVector<double>& sums = sums_of(layer);
   ZeroedVector<float> result(sums.size());
   const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
-  if (*fewest == *most) {  // which is several times faster
+  if (*fewest == *most) {  // several times faster
     const double samples = std::max(*fewest, 1u);
     for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
     return result;
@@ -148,7 +148,7 @@ ZeroedVector<float> Film::variances() const {
 }
 
 void Film::forget(Layer layer) {
-  ZeroedVector<double>().swap(sums_[index_of(layer)]);  // the assignment of an empty list would keep the memory
+  ZeroedVector<double>().swap(sums_[index_of(layer)]);  // assigning an empty list would keep the memory
 }
 
 }  // namespace penumbra

@@ -1,6 +1,5 @@
-// The sums of all samples so far, for every pixel of a crop, and how many these are. Sums are exact
-// (tracing/film_packet.hpp), so that a film does not tell in which order, by how many threads or in how many sittings
-// its samples came.
+// The sums of all samples so far for every pixel of a crop, and their number. Sums are exact (tracing/film_packet.hpp),
+// so that a film does not depend on the order of its samples or on the number of threads and sessions.
 #pragma once
 
 #include <array>
@@ -23,36 +22,36 @@ class Film {
   const Layers& layers() const { return layers_; }
   SampleCounts counts() const { return counts_; }
 
-  // Whoever adds samples says so, pixel by pixel.
+  // The number of samples of a pixel. Code that adds samples has to set it.
   std::uint32_t samples_at(int x, int y) const { return pixel_samples_[crop_.index_of(x, y)]; }
   std::uint32_t samples_at(Pixel pixel) const { return pixel_samples_[crop_.index_of(pixel)]; }
   void set_samples(std::span<const Pixel> pixels, std::uint32_t count);
-  // Where each pixel has its own number of samples; does nothing without that layer.
+  // For films in which each pixel has its own number of samples; does nothing without the layer.
   void set_variance(int x, int y, const std::array<float, 3>& rgb);
 
   std::uint32_t samples() const;        // of the pixel that has the fewest
   std::uint64_t total_samples() const;  // of all pixels together
 
-  // Where a kernel adds.
+  // The sums that a kernel adds to.
   FilmView view();
 
-  // The pixels of `crop`, which lies inside this film's.
+  // The pixels of `crop`, which must lie inside this film's.
   Film cut(const PixelRect& crop) const;
 
-  // All that there is of the pixels of `part`, which lies inside the film's crop.
+  // Everything about the pixels of `part`, which must lie inside the film's crop.
   void write(ArchiveWriter& archive, const PixelRect& part) const;
   void read(ArchiveReader& archive, const PixelRect& part);
-  static std::size_t bytes_per_pixel(const Layers& layers);  // of that
+  static std::size_t bytes_per_pixel(const Layers& layers);  // that write() writes
 
-  // Takes the samples of these pixels out again.
+  // Removes the samples of these pixels.
   void clear(const PixelRect& part);
 
-  // The numbers of a layer (tracing/layers.hpp), of each pixel's samples so far, row by row from the top left of the
-  // crop. The film must have the layer; the colour and the number of samples every film has.
+  // The values of a layer (tracing/layers.hpp) from each pixel's samples so far, row by row from the top left of the
+  // crop. The film must have the layer; every film has the colour and the number of samples.
   ZeroedVector<float> layer(Layer layer) const;
   ZeroedVector<float> color() const { return layer(Layer::color); }
 
-  // Frees the sums of a layer, which cannot be asked for after that. Colours go last: the variance needs them too.
+  // Frees the sums of a layer, which is gone after that. Colours must go last: the variance needs them, too.
   void forget(Layer layer);
 
  private:
@@ -60,14 +59,14 @@ class Film {
   ZeroedVector<float> means(Layer layer) const;
   ZeroedVector<float> means_of_hits(Layer layer) const;
   ZeroedVector<float> variances() const;
-  // Calls `visit(values)` for each row of the pixels of `part` in each plane of numbers that there is.
+  // Calls `visit(values)` for each row of the pixels of `part` in each plane of numbers.
   template <class Self, class Visit>
   static void for_rows(Self& self, const PixelRect& part, const Visit& visit);
 
   PixelRect crop_;
   Layers layers_;
   SampleCounts counts_;
-  std::array<ZeroedVector<double>, layer_count> sums_;  // where counts are per pixel, the variance itself
+  std::array<ZeroedVector<double>, layer_count> sums_;  // with counts per pixel, variance itself instead of its sums
   ZeroedVector<std::uint32_t> pixel_samples_;
 };
 

@@ -1,5 +1,5 @@
-// Which pixels the first round of an adaptive render needs: the tiles that are asked for, and of all others those
-// pixels that a tile asked for can see.
+// The pixels that the first round of an adaptive render needs: those of the wanted tiles, and those of other tiles that
+// the estimates of a wanted tile use.
 #pragma once
 
 #include "rendering/noise_estimate.hpp"
@@ -7,8 +7,8 @@
 
 namespace penumbra {
 
-// Calls `visit(pixels)` for parts of a tile that do not overlap. `is_wanted(column, row)` tells whether the tile there,
-// counted from the picture's top left, is asked for; no tile outside the picture is.
+// Calls `visit(pixels)` for parts of a tile that do not overlap. `is_wanted(column, row)` says whether the tile there,
+// counted from the picture's top left, is wanted; no tile outside the picture is.
 template <class IsWanted, class Visit>
 void for_first_round(const PixelRect& tile, const IsWanted& is_wanted, const Visit& visit) {
   const int column = tile.x0 / noise_tile_size, row = tile.y0 / noise_tile_size;
@@ -16,7 +16,7 @@ void for_first_round(const PixelRect& tile, const IsWanted& is_wanted, const Vis
     visit(tile);
     return;
   }
-  // Its rim in three by three cells, of which a neighbour sees those on its side.
+  // The tile in three by three cells, of which a neighbour uses those on its side.
   const auto cut = [](int start, int cell) {
     return start * noise_tile_size + (cell == 0   ? 0
                                       : cell == 1 ? noise_reach

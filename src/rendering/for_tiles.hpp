@@ -1,4 +1,4 @@
-// The one loop of the program over the tiles of a picture: everything that renders goes through it.
+// The one loop of the program over the tiles of a picture: every render goes through it.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace penumbra {
 
-// Calls `work(tile, rays)` for the tiles 0 <= tile < count, each once, by `threads` threads that take the next tile
-// whenever they are free, until all are done or the render is stopped. Returns the rays that all calls have counted.
+// Calls `work(tile, rays)` once for each tile 0 <= tile < count, on `threads` threads that take the next tile whenever
+// they are free, until all are done or the render is stopped. Returns the rays that all calls have counted.
 template <class Work>
 RayCounts for_tiles(int count, int threads, const RenderState& state, const Work& work) {
   std::atomic<int> next_tile{0};

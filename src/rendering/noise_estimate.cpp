@@ -5,11 +5,11 @@
 namespace penumbra {
 namespace {
 
-// How much the rate that is expected weighs against the one observed. Observed rates are noisy, and a wrong one costs
+// The weight of the expected rate, if that of the observed one is 1. Observed rates are noisy, and a wrong one costs
 // more rays than the expected one.
 constexpr float weight_of_expected_rate = 10;
 
-// The least share of a pixel's own estimate that counts, however still its neighbours are.
+// A pixel's error is at least this share of its own estimate, however quiet its neighbours are.
 constexpr float own_share = 0.5f;
 
 float power(float base, int exponent) {
@@ -19,22 +19,22 @@ float power(float base, int exponent) {
   return result;
 }
 
-// As a screen shows it.
+// A colour as a screen shows it.
 double shown(double color) { return std::min(std::max(color, 0.0), 1.0); }
 
-// What estimates of variances have in common, at one rate.
+// Estimates of variances at one rate.
 struct VarianceRate {
   explicit VarianceRate(float r) : rate(r), per_half(1 / (4 * (r - 1))), per_quarter(1 / r) {}
 
-  // Of what `part(difference)` tells of the three differences of one pixel.
+  // From `part(difference)` of the three differences of one pixel.
   template <class Part>
   float own_variance(const PixelNoise& pixel, const Part& part) const {
-    constexpr float mean[] = {1, 1.0f / 2, 1.0f / 3};  // by the halves known
+    constexpr float mean[] = {1, 1.0f / 2, 1.0f / 3};  // by the number of halves known
     const float quarters = part(pixel.quarters) * static_cast<float>(pixel.halves_known) * per_quarter;
     return (part(pixel.halves) + quarters) * mean[pixel.halves_known] * per_half;
   }
 
-  // The mean of a pixel and those next to it, had they as many samples.
+  // The weighted mean over a pixel and its neighbours, scaled to the pixel's number of samples.
   template <class Part>
   float smooth_variance(const NoiseWindow& window, std::size_t index, const Part& part) const {
     const PixelNoise* own = &window[index];

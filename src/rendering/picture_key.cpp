@@ -25,7 +25,7 @@ std::string difference(const PictureKey& key, const PictureKey& other, std::stri
   for (const PictureKey* one : {&key, &other}) {
     for (const auto& [name, ignored] : one->plan) {
       const std::string value = value_of(name, key), other_value = value_of(name, other);
-      if (value != other_value) return fmt::format("its `{}` is {}, and {} {}", name, value, other_value, there);
+      if (value != other_value) return fmt::format("its `{}` is {}, but {} {}", name, value, other_value, there);
     }
   }
   return {};

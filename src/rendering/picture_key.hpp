@@ -16,21 +16,21 @@ using PlanInWords = std::vector<std::pair<std::string, std::string>>;
 
 struct PictureKey {
   std::string version;  // of the program
-  ContentHash scene;    // of the bytes of the scene file and of all that it reads
+  ContentHash scene;    // of the scene file and of all files that it reads
   int picture = 1;      // which of the scene file's pictures
   PlanInWords plan;     // the options that change the picture
 };
 
-// The first thing in which a picture differs from another one, as a sentence about it; empty if nothing does. Where the
-// other one is, `there` tells: "here", "in the others".
+// The first difference between a picture and another one, as a sentence about it; empty if there is none. `there` says
+// where the other one is: "here", "in the others".
 std::string difference(const PictureKey& key, const PictureKey& other, std::string_view there = "here");
 
 inline constexpr const char* not_given = "not given";
 
-// The value of an option; not_given if it is not.
+// The value of an option; not_given if it was not given.
 std::string value_of(const std::string& name, const PictureKey& key);
 
-// Whether both are the same picture of the same frame, if of the same scene and plan.
+// Whether both are the same picture of the same frame, assuming the same scene and plan.
 bool is_same_picture(const PictureKey& a, const PictureKey& b);
 
 template <class Archive>

@@ -24,8 +24,8 @@ class PixelList {
   std::size_t size_ = 0;
 };
 
-// The pixels of a tile that are `wanted(x, y)`, in Morton's order: pixels that follow each other are near each other,
-// and where all are wanted, each aligned 2^k of them are a square or two squares side by side.
+// The pixels of a tile that are `wanted(x, y)`, in Morton order: pixels that are close in the list are close in the
+// picture, and if all are wanted, each aligned run of 2^k pixels is a square or two squares side by side.
 template <class Wanted>
 PixelList pixels_of(const PixelRect& tile, const Wanted& wanted) {
   PixelList list;

@@ -1,4 +1,4 @@
-// How a picture is to be rendered, as one value: which part of it, with which layers, by how many threads.
+// How to render a picture, as one value: which part of it, with which layers, on how many threads.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace penumbra {
 
-// Whether all pixels are to have the same number of samples, or each its own. Where each has its own, whoever renders
-// also says the variance of a pixel's mean, if there is such a layer: the squares of the samples do not tell it.
+// Whether all pixels get the same number of samples, or each its own. If each has its own, the renderer also sets the
+// variance of a pixel's mean, if there is such a layer: the squares of the samples do not give it.
 enum class SampleCounts : std::uint8_t { uniform, per_pixel };
 
 struct Plan {

@@ -11,18 +11,19 @@ namespace penumbra {
 
 struct RayTree {
   std::deque<RecordedRay> rays;  // the eye ray first, every ray after the one whose hit sent it
-  std::uint64_t left_out = 0;    // rays beyond the most that are kept
+  std::uint64_t left_out = 0;    // rays beyond the limit, which are not kept
 };
 
-// Traces sample `sample` of pixel (x, y), for a picture of `count` samples a pixel, as render_samples does.
+// Traces sample `sample` of pixel (x, y), for a picture of `count` samples per pixel, as render_samples does. Keeps the
+// first `most` rays.
 RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample, std::uint32_t count,
                      std::size_t most = std::size_t{1} << 16);
 
-// The colour of a ray put together again from the rays below it, in the order of tracing/trace.hpp: equal to its
+// The colour of a ray, summed again from the rays below it in the order of tracing/trace.hpp: equal to its
 // `came_back` to the last bit, unless rays were left out.
 std::array<float, 3> sum_of(const RayTree& tree, std::size_t ray);
 
-// What the sample is in the film: its colour, rounded as sums want it.
+// What the sample adds to the film: its colour, rounded as exact sums require.
 std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree);
 
 }  // namespace penumbra

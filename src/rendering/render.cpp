@@ -10,7 +10,7 @@
 namespace penumbra {
 namespace {
 
-// Until it is done or stopped. The pixels of a chunk always have the same number of samples.
+// Renders until done or stopped. The pixels of a chunk always have the same number of samples.
 void render_tile(const ChunkRenderer& renderer, const PixelRect& tile, SampleRange range) {
   const PixelList pixels = pixels_of(tile);
   renderer.for_chunks(pixels.all(), 1, [&](const Chunk& chunk) {

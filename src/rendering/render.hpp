@@ -1,4 +1,4 @@
-// The same samples of all pixels, added to a film: a picture, or a pass of one.
+// Adds the same samples of all pixels to a film: a picture, or one pass of it.
 #pragma once
 
 #include "rendering/film.hpp"
@@ -8,9 +8,9 @@
 
 namespace penumbra {
 
-// Adds the samples of the range to every pixel of the film that the plan's shard has, by `plan.threads` threads; pixels
-// that have some of them already get the rest. Returns the rays sent. If it was stopped, some pixels have fewer
-// samples, and the film says how many.
+// Adds the samples of the range to every pixel of the film that the plan's shard has, on `plan.threads` threads; pixels
+// that already have some of them get the rest. Returns the rays sent. If stopped, some pixels have fewer samples, and
+// the film knows how many.
 RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan, SampleRange range,
                          RenderState& state);
 

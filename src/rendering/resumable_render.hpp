@@ -1,5 +1,5 @@
-// A picture, or one shard of it, that is rendered in as many sittings as it takes. What the film holds in the end does
-// not depend on where it was stopped.
+// A picture, or one shard of it, that is rendered in as many sessions as it takes. The final film does not depend on
+// where the render was stopped.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ class ResumableRender {
  public:
   virtual ~ResumableRender() = default;
 
-  // Goes on until it is finished or stopped. Returns the rays sent.
+  // Renders until finished or stopped. Returns the rays sent.
   virtual RayCounts run(RenderState& state) = 0;
   virtual bool is_finished() const = 0;
-  // Pixels that got the most rays there are and would have had more.
+  // The number of pixels that got the maximum of rays but needed more.
   virtual std::uint64_t unfinished_pixels() const = 0;
-  // The picture as it stands; nothing can be asked after that.
+  // The picture as it stands. The render cannot be used after that.
   virtual Film take_film() = 0;
 
-  // What there is of each tile, for a file and back. Reading throws ArchiveError where the bytes cannot be a tile's.
+  // The state of each tile, to a file and back. Reading throws ArchiveError if the bytes are not a valid tile.
   virtual const TileGrid& grid() const = 0;
   virtual bool has_begun(int tile) const = 0;
   virtual void write(ArchiveWriter& archive, int tile) const = 0;

@@ -1,4 +1,4 @@
-// The sums of pixels of a film, looked at and kept aside while samples are added to them.
+// Reads the sums of pixels of a film, and saves them so that added samples can be undone.
 #pragma once
 
 #include <algorithm>

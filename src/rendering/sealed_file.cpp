@@ -16,7 +16,7 @@ constexpr std::uint32_t format = 3;  // 1 had tiles of 16 pixels everywhere, 2 s
 constexpr std::size_t head_size = 16, block_head_size = 16;
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-constexpr bool checks_checksums = false;  // a fuzzer never finds a right one
+constexpr bool checks_checksums = false;  // a fuzzer would never find a right one
 #else
 constexpr bool checks_checksums = true;
 #endif
@@ -63,7 +63,7 @@ SealedReader::SealedReader(std::span<const std::byte> bytes, FileKind kind, std:
   ArchiveReader head(bytes.subspan(head_size - sizeof format_found));
   head(format_found);
   if (format_found != format) {
-    throw FileError(EX_DATAERR, fmt::format("`{}` is a {} of format {}, and this program knows format {} only", name_,
+    throw FileError(EX_DATAERR, fmt::format("`{}` is a {} of format {}, but this program knows only format {}", name_,
                                             name_of(kind), format_found, format));
   }
 }
@@ -79,9 +79,9 @@ std::span<const std::byte> SealedReader::next() {
   head(seal);
   if (length > left - block_head_size) fail("the file ends too early");
   const auto block = bytes_.subspan(position_ + block_head_size, static_cast<std::size_t>(length));
-  if (checks_checksums && seal != seal_of(block, number_ - 1)) fail("it is not what was written");
+  if (checks_checksums && seal != seal_of(block, number_ - 1)) fail("its checksum does not match");
   position_ += block_head_size + block.size();
-  if (block.empty() && position_ != bytes_.size()) fail("the file goes on after its end");
+  if (block.empty() && position_ != bytes_.size()) fail("the file continues after its end");
   return block;
 }
 

@@ -1,8 +1,8 @@
-// A file of blocks, each with a checksum, so that what was torn, cut or changed is noticed, and where. The checksum
-// also takes in the block's number; an empty block is the end.
+// A file of blocks, each with a checksum, so that damage and truncation are noticed, and where. The checksum includes
+// the block's number; an empty block marks the end.
 //
 //   8 bytes  PENUMBRA
-//   4        what it is: FileKind
+//   4        the FileKind
 //   4        the version of the format
 //   then for each block: 8 bytes length, 8 bytes checksum, the bytes
 #pragma once
@@ -20,17 +20,17 @@ namespace penumbra {
 
 enum class FileKind : std::uint32_t { checkpoint = 1, part = 2 };
 
-// What the user calls it.
+// The kind in words, for messages.
 const char* name_of(FileKind kind);
 
-// Whether the bytes begin as a file of this kind, of whatever format.
+// Whether the bytes begin as a file of this kind, in any version of the format.
 bool is_sealed(std::span<const std::byte> bytes, FileKind kind);
 
 class SealedWriter {
  public:
   explicit SealedWriter(FileKind kind);
 
-  void add(std::span<const std::byte> block);  // which is not empty
+  void add(std::span<const std::byte> block);  // ignored if empty
   std::vector<std::byte> finish();
 
  private:
@@ -40,7 +40,7 @@ class SealedWriter {
   std::uint64_t number_ = 0;
 };
 
-// What is not as it was written gives FileError 65 with the file's name and the place.
+// Damage throws FileError 65 with the file's name and the place.
 class SealedReader {
  public:
   // The bytes must outlive this.
@@ -55,13 +55,13 @@ class SealedReader {
     try {
       ArchiveReader archive(block);
       use(archive);
-      if (!archive.at_end()) throw ArchiveError("there is more in it than there should be");
+      if (!archive.at_end()) throw ArchiveError("it has more data than expected");
     } catch (const ArchiveError& error) {
       fail(error.what());
     }
   }
 
-  // That the last block cannot be right.
+  // Reports that the last block is wrong.
   [[noreturn]] void fail(const std::string& why) const;
 
  private:

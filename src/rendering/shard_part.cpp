@@ -30,15 +30,15 @@ void serialize(Archive& archive, Archived<Archive, PartHeader>& header) {
     const PixelRect& c = header.crop;
     const bool is_crop = c.x0 >= 0 && c.y0 >= 0 && c.x0 < c.x1 && c.y0 < c.y1 && c.x1 <= most_side &&
                          c.y1 <= most_side && c.pixel_count() <= most_pixels;
-    if (!is_crop) throw ArchiveError("there is no such window of a picture");
+    if (!is_crop) throw ArchiveError("the crop is out of range");
     const Shard& shard = header.shard;
     if (shard.count < 1 || shard.count > most_shards || shard.index < 0 || shard.index >= shard.count) {
-      throw ArchiveError("there is no such shard");
+      throw ArchiveError("the shard is out of range");
     }
   }
 }
 
-// "3, 7-9, 12", and no more than some of them.
+// "3, 7-9, 12"; a long list ends with "and N more".
 std::string in_words(const std::vector<int>& numbers) {
   constexpr std::size_t most_words = 20;
   std::vector<std::string> words;
@@ -63,10 +63,10 @@ std::string difference_in_words(const PartHeader& here, const PartHeader& there)
   }
   const bool same = here.crop == there.crop && here.layers == there.layers && here.counts == there.counts &&
                     here.development == there.development;
-  return same ? "" : "it is not to be developed as the others are";
+  return same ? "" : "its crop, layers or output options differ from the others";
 }
 
-// Of the picture that most parts are of; the first of several such.
+// The header of the picture that most parts belong to; of the first one in a tie.
 const PartHeader& most_common(const std::vector<Part>& parts) {
   const auto relatives = [&parts](const Part& part) {
     return std::count_if(parts.begin(), parts.end(), [&part](const Part& other) {
@@ -112,11 +112,11 @@ Part::Part(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), 
     if (!grid.has(header_.shard, tile)) continue;
     const auto block = file.next();
     if (block.size() != sizeof tile + grid.tile(tile).pixel_count() * bytes_per_pixel)
-      file.fail("it is not of a tile's size");
+      file.fail("it does not have the size of its tile");
     int found = 0;
     ArchiveReader archive(block);
     archive(found);
-    if (found != tile) file.fail("it is not of the tile whose turn it is");
+    if (found != tile) file.fail("it is not the shard's next tile");
   }
   if (!file.next().empty()) file.fail("there are more tiles than the shard has");
 }
@@ -146,7 +146,7 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
     const Part*& place = found[static_cast<std::size_t>(part.header().shard.index)];
     if (place) {
       problems.push_back(
-          fmt::format("shard {} is there twice: `{}` and `{}`", part.header().shard.index, place->name(), part.name()));
+          fmt::format("shard {} occurs twice: `{}` and `{}`", part.header().shard.index, place->name(), part.name()));
     }
     place = &part;
   }
@@ -155,7 +155,7 @@ std::vector<std::string> problems_of(const std::vector<Part>& parts) {
     if (!found[static_cast<std::size_t>(i)]) missing.push_back(i);
   }
   if (!missing.empty()) {
-    problems.push_back(fmt::format("of {} shards, from 0, {} missing: {}", common.shard.count,
+    problems.push_back(fmt::format("of {} shards, numbered from 0, {} missing: {}", common.shard.count,
                                    missing.size() == 1 ? "one is" : fmt::format("{} are", missing.size()),
                                    in_words(missing)));
   }

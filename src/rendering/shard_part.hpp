@@ -1,5 +1,4 @@
-// The tiles of one shard as bytes, and the parts of a picture put together: the film is that of a single render, to the
-// bit.
+// The tiles of one shard as bytes, and the merging of such parts: the film is that of a single render, to the bit.
 #pragma once
 
 #include <cstddef>
@@ -20,24 +19,24 @@ struct PartHeader {
   PixelRect crop;
   Layers layers;
   SampleCounts counts = SampleCounts::uniform;
-  std::string development;  // what turns the film into a picture, as whoever wrote it wants it back
+  std::string development;  // how to turn the film into a picture; opaque here
 
   TileGrid tiles() const { return tiles_of(crop, counts); }
 };
 
-// The film holds at least the shard's tiles.
+// The film must have at least the shard's tiles.
 std::vector<std::byte> encode_part(const PartHeader& header, const Film& film);
 
-// A part that was read and found whole.
+// A part that was read and is intact.
 class Part {
  public:
-  // Throws FileError 65, with `name` for the file's, where the bytes are damaged or no part. The bytes must outlive it.
+  // Throws FileError 65, which calls the file `name`, if the bytes are damaged or not a part. They must outlive it.
   Part(std::span<const std::byte> bytes, std::string name);
 
   const PartHeader& header() const { return header_; }
   const std::string& name() const { return name_; }
 
-  // Puts its tiles in their place in a film with the header's crop, layers and counts.
+  // Copies its tiles into a film with the header's crop, layers and counts.
   void add_to(Film& film) const;
 
  private:
@@ -46,11 +45,11 @@ class Part {
   PartHeader header_;
 };
 
-// What keeps parts from being one picture, a sentence each: those of other pictures, those that are there twice, those
-// that are missing. Empty if nothing does. There must be one part at least.
+// Why the parts do not make up one picture, a sentence each: parts of other pictures, duplicates, missing parts. Empty
+// if they do. There must be at least one part.
 std::vector<std::string> problems_of(const std::vector<Part>& parts);
 
-// The film of parts about which there is no problem.
+// The film of parts without problems_of().
 Film merge(const std::vector<Part>& parts);
 
 }  // namespace penumbra

@@ -1,5 +1,5 @@
-// The tiles of a picture: squares that start at its top left, as far as they lie in a window of it. They are numbered
-// row by row.
+// The tiles of a picture: squares that start at its top left and are cut to a window of it. They are numbered row by
+// row.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace penumbra {
 
-// Pixels a side. So small that the tiles of each thread and of each shard add up to about the same work.
+// Pixels per side: so few that the tiles of each thread and of each shard add up to about the same work.
 inline constexpr int tile_size = 8;
-// Where each pixel has its own number of samples, and a tile needs to know some pixels around it.
+// For renders in which each pixel has its own number of samples, and a tile uses some pixels around it.
 inline constexpr int noise_tile_size = 16;
 
 class TileGrid {
@@ -46,7 +46,7 @@ inline TileGrid tiles_of(const PixelRect& window, SampleCounts counts) {
   return TileGrid(window, counts == SampleCounts::uniform ? tile_size : noise_tile_size);
 }
 
-// How many pixels of its window a shard has.
+// The number of pixels of the grid's window that a shard has.
 inline std::uint64_t pixel_count(const TileGrid& grid, const Shard& shard) {
   std::uint64_t pixels = 0;
   for (int i = 0; i < grid.count(); i++) {

@@ -8,7 +8,7 @@
 namespace penumbra {
 namespace {
 
-// Below this many samples a half is not rendered in two parts: packets would not be filled.
+// With fewer samples, a half is not rendered in two parts, which would not fill their packets.
 constexpr std::uint32_t fewest_samples_in_parts = 32;
 
 }  // namespace
@@ -22,7 +22,7 @@ bool TileRefinement::go_on(const ChunkRenderer& renderer, const AdaptiveRules& r
 
 bool TileRefinement::double_due(const ChunkRenderer& renderer) {
   const PixelRect window = window_pixels();
-  std::uint32_t levels = 0;  // a bit for each that there is
+  std::uint32_t levels = 0;  // a bit for each that occurs
   const PixelList all_due = pixels_of(tile_, [&](int x, int y) {
     const std::size_t i = window.index_of(x, y);
     if (marks_[i] != Mark::due) return false;
@@ -43,7 +43,7 @@ bool TileRefinement::double_due(const ChunkRenderer& renderer) {
   return true;
 }
 
-// Of pixels that all have 2^level samples. False, and nothing done, if it was stopped.
+// Doubles the samples of pixels that all have 2^level. Returns false, with nothing changed, if stopped.
 bool TileRefinement::double_samples(const Chunk& chunk, int level, const ChunkRenderer& renderer) {
   const FilmView& view = renderer.view;
   const auto pixels = chunk.pixels;
@@ -71,7 +71,7 @@ bool TileRefinement::double_samples(const Chunk& chunk, int level, const ChunkRe
   return true;
 }
 
-// False if no pixel is worth more samples.
+// Returns false if no pixel is worth more samples.
 bool TileRefinement::mark_due(const AdaptiveRules& rules) {
   const WindowNumbers observed = observed_rates(window_, rules.rates);
   bool any = false;

@@ -1,5 +1,5 @@
-// The second round of one tile of an adaptive render: the samples of all pixels that are worth it are doubled, again
-// and again, until none is. It can be stopped between any two chunks of them, and goes on in the same way.
+// The second round of one tile of an adaptive render: it doubles the samples of all pixels that are worth it, again and
+// again, until none is. It can be stopped between any two chunks and resumed, which does not show in the result.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace penumbra {
 class TileRefinement {
  public:
   // Starts with the noise after the first round: `noise_at(x, y)` for the pixels of `seen`, which are those of the tile
-  // and as many around it as there are, at most `noise_reach`.
+  // and of the picture up to `noise_reach` around it.
   template <class NoiseAt>
   void begin(const PixelRect& tile, const PixelRect& seen, const NoiseAt& noise_at) {
     tile_ = tile;
@@ -24,21 +24,21 @@ class TileRefinement {
     for_pixels(seen, [&](int x, int y) { window_[window_pixels().index_of(x, y)] = noise_at(x, y); });
   }
 
-  // False if it was stopped before the end.
+  // Returns false if stopped before the end.
   bool go_on(const ChunkRenderer& renderer, const AdaptiveRules& rules);
 
-  // At the end: what the film does not know yet, and how many pixels of `crop` would have had more samples.
+  // At the end, sets the variance in the film. Returns how many pixels of `crop` needed more samples.
   int finish(Film& film, const AdaptiveRules& rules, const PixelRect& crop) const;
 
-  // All of it but the tile.
+  // Everything but the tile itself.
   void write(ArchiveWriter& archive) const;
   void read(ArchiveReader& archive, const PixelRect& tile);
 
  private:
-  // `due`: in this turn, the pixel's samples are to be doubled yet. `at_end`: it has the most samples there are.
+  // `due`: the pixel's samples still have to be doubled in this turn. `at_end`: it has the maximum but needs more.
   enum class Mark : std::uint8_t { none, due, at_end };
 
-  // The pixels of the window, in the picture.
+  // The pixels of the window, in coordinates of the picture.
   PixelRect window_pixels() const {
     const int x = tile_.x0 - noise_reach, y = tile_.y0 - noise_reach;
     return {x, y, x + noise_window_size, y + noise_window_size};

@@ -42,7 +42,7 @@ bool UniformRender::is_finished() const {
   return finished;
 }
 
-// The first pixel of a tile is never behind its others.
+// No pixel of a tile is ahead of the first one.
 bool UniformRender::has_begun(int tile) const {
   const PixelRect pixels = grid_.tile(tile);
   return film_.samples_at(pixels.x0, pixels.y0) > 0;
@@ -52,7 +52,7 @@ void UniformRender::read(ArchiveReader& archive, int tile) {
   const PixelRect pixels = grid_.tile(tile);
   film_.read(archive, pixels);
   for_pixels(pixels, [&](int x, int y) {
-    if (film_.samples_at(x, y) > rays_) throw ArchiveError("a pixel has more samples than it shall get");
+    if (film_.samples_at(x, y) > rays_) throw ArchiveError("a pixel has too many samples");
   });
 }
 

@@ -1,4 +1,4 @@
-// Every pixel gets the same number of samples.
+// A render in which every pixel gets the same number of samples.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace penumbra {
 
 class UniformRender : public ResumableRender {
  public:
-  // `in_passes`: few samples for all tiles come first, then as many again, and so on, so that there is a picture of the
-  // whole early. Frame and kernel must outlive this.
+  // `in_passes`: all tiles get a few samples first, then as many again, and so on, so that there is a complete picture
+  // early. Frame and kernel must outlive this.
   UniformRender(const Frame& frame, const Kernel& kernel, const Plan& plan, std::uint32_t rays, bool in_passes);
 
   RayCounts run(RenderState& state) override;

@@ -30,8 +30,8 @@ TEST_F(FarmCollect, NamesWhatIsMissingOrDamaged) {
   std::filesystem::remove(part(1));
   put_content(part(3), content_of(part(3)).substr(0, 4000));
   EXPECT_EQ(collect(), 65);
-  EXPECT_NE(said().find("parts/3.exr` is a torn part of a picture"), std::string::npos) << said();
-  EXPECT_NE(said().find("of 4 parts, from 0, 2 are not there: 1,3\n"), std::string::npos) << said();
+  EXPECT_NE(said().find("parts/3.exr` is a truncated part of a picture"), std::string::npos) << said();
+  EXPECT_NE(said().find("of 4 parts, numbered from 0, 2 are missing: 1,3\n"), std::string::npos) << said();
   EXPECT_FALSE(std::filesystem::exists(output_));
   EXPECT_TRUE(std::filesystem::exists(part(3)));
 }
@@ -50,7 +50,7 @@ TEST_F(FarmCollect, SubmitsWhatIsMissingAFewTimes) {
   EXPECT_EQ(folder().read_state().resubmissions, 3);
   const std::string before = submissions();
   EXPECT_EQ(collect({"--resubmit", "3"}), 65);
-  EXPECT_NE(said().find("they were submitted again 3 times"), std::string::npos) << said();
+  EXPECT_NE(said().find("they were resubmitted 3 times"), std::string::npos) << said();
   EXPECT_EQ(submissions(), before);
   EXPECT_EQ(collect({"--resubmit"}), 0) << said();  // by hand, once more
   run_all_tasks();
@@ -91,11 +91,12 @@ TEST_F(FarmCollect, RefusesPartsOfOtherPictures) {
   run_all_tasks();
   std::filesystem::copy_file(part(0), part(1), std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(collect(), 65);
-  EXPECT_NE(said().find("parts/1.exr` is not of this job: it is another part than its name says"), std::string::npos)
+  EXPECT_NE(said().find("parts/1.exr` does not belong to this job: it is not the part that its name says"),
+            std::string::npos)
       << said();
   ASSERT_EQ(run({"render", scene_file_, "--size", "53x37", "--rays", "5", "--shard", "1/4", "-o", part(1)}), 0);
   EXPECT_EQ(collect(), 65);
-  EXPECT_NE(said().find("its `rays` is 5, and 2 in the others"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `rays` is 5, but 2 in the others"), std::string::npos) << said();
   EXPECT_FALSE(std::filesystem::exists(output_));
 }
 

@@ -127,7 +127,7 @@ TEST_F(FarmStatus, DamagedFolder) {
                                   std::string(), std::string("{\"format\": 2}")}) {
     put_content(manifest, text);
     EXPECT_EQ(farm({"status", output_}), 65);
-    EXPECT_NE(said().find("is not what `penumbra farm` has written"), std::string::npos) << said();
+    EXPECT_NE(said().find("is damaged or was not written by `penumbra farm`"), std::string::npos) << said();
   }
 }
 

@@ -14,7 +14,7 @@ TEST_F(FarmSubmit, AnArrayAndAMergeAfterIt) {
   EXPECT_EQ(submissions(), "--parsable\n--array=0-4\n--chdir=" + place + "\n" + place + "/shard.sh\n--\n" +
                                "--parsable\n--dependency=afterany:101\n--chdir=" + place + "\n" + place +
                                "/merge.sh\n--\n");
-  EXPECT_NE(said().find("submitted: 101 renders, 102 puts together"), std::string::npos) << said();
+  EXPECT_NE(said().find("submitted: 101 renders, 102 merges"), std::string::npos) << said();
   const std::string script = content_of(folder().shard_script());
   EXPECT_NE(script.find("#SBATCH --partition=render\n#SBATCH --time=120\n"), script.npos) << script;
   EXPECT_TRUE(folder().read_state().submitted);
@@ -35,7 +35,7 @@ TEST_F(FarmSubmit, RefusesAFolderThatIsTaken) {
   EXPECT_EQ(submit({"--shards", "2"}), 73);
   EXPECT_NE(said().find("is the folder of a job that has begun"), std::string::npos) << said();
   EXPECT_EQ(submit({"--shards", "2", "--folder", work_.string()}), 73);
-  EXPECT_NE(said().find("is no job folder"), std::string::npos) << said();
+  EXPECT_NE(said().find("is not a job folder"), std::string::npos) << said();
   EXPECT_EQ(submit({"--shards", "2", "--folder", (work_ / "second").string()}), 0) << said();
 }
 
@@ -101,7 +101,7 @@ TEST_F(FarmSubmit, Animations) {
   const std::string kept = content_of(part(2));
   std::filesystem::copy_file(part(0), part(2), std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(collect(), 65);
-  EXPECT_NE(said().find("it is another part than its name says"), std::string::npos) << said();
+  EXPECT_NE(said().find("it is not the part that its name says"), std::string::npos) << said();
   EXPECT_TRUE(std::filesystem::exists(work_ / "the 'picture'.0003.exr"));  // complete frames are written
   EXPECT_FALSE(std::filesystem::exists(work_ / "the 'picture'.0006.exr"));
   put_content(part(2), kept);
@@ -124,7 +124,7 @@ TEST_F(FarmSubmit, Refusals) {
   EXPECT_EQ(submit({"--shards", "0"}), 64);
   EXPECT_EQ(submit({"--shards", "many"}), 64);
   EXPECT_EQ(submit({"--shards", "49"}), 64);
-  EXPECT_NE(said().find("the picture has 35 tiles only"), std::string::npos) << said();
+  EXPECT_NE(said().find("the picture has only 35 tiles"), std::string::npos) << said();
   EXPECT_EQ(submit({"--time", "soon"}), 64);
   EXPECT_EQ(submit({"--partition", "a b"}), 64);
   EXPECT_EQ(submit({"--partition", "a\n#SBATCH --uid=0"}), 64);

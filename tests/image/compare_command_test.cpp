@@ -122,8 +122,8 @@ TEST_F(CompareCommand, DifferentSizes) {
   const CommandResult result = run({a_, other});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err, "penumbra compare: the pictures are not of the same size: `" + a_ + "` has 40 x 30 pixels, `" +
-                            other + "` has 40 x 31 pixels\n");
+  EXPECT_EQ(result.err, "penumbra compare: the pictures differ in size: `" + a_ + "` has 40 x 30 pixels, `" + other +
+                            "` has 40 x 31 pixels\n");
   EXPECT_EQ(nlohmann::json::parse(run({a_, other, "--json"}).out)["result"], "different size");
 }
 

@@ -22,7 +22,7 @@ TEST(LensTable, hasAllQuantitiesOfTheLecture) {
                               "sphere 1 0 0 -15\nmoving_object 0 0 -10\n"  // D = 20 half way through the shutter
                               "begin_list\nend_list\n"),
             "  lens       F 1, n 2, aperture F/n 0.5, focus P 5, image plane V_P 1.25\n"
-            "             D: along the view, of the centre of each object's bounding box at time 0.5\n"
+            "             D: distance along the view of the centre of each object's bounding box at time 0.5\n"
             "             object                         D         V_D           r           C r in pixels\n"
             "             1 sphere                       2           2        0.15      0.1875       11.25\n"
             "             2 box                         10     1.11111        0.25      0.0625        3.75\n"
@@ -32,13 +32,13 @@ TEST(LensTable, hasAllQuantitiesOfTheLecture) {
             "             6 sphere                      -4  behind the eye\n"
             "             7 sphere                       0  behind the eye\n"
             "             8 sphere                      20     1.05263        0.75     0.09375       5.625\n"
-            "             9 group of 0                   -  nothing in it\n");
+            "             9 group of 0                   -  empty\n");
 }
 
 TEST(LensTable, knowsLessOfAPlainLens) {
   EXPECT_EQ(table_of("fov 90\nlens .25 5\nsphere .5 0 0 -2\nsphere .5 0 0 1\n"),
-            "  lens       F and n not known, aperture 0.5, focus P 5\n"
-            "             D: along the view, of the centre of each object's bounding box at time 0.5\n"
+            "  lens       F and n unknown, aperture 0.5, focus P 5\n"
+            "             D: distance along the view of the centre of each object's bounding box at time 0.5\n"
             "             object                         D           r r in pixels\n"
             "             1 sphere                       2        0.15       11.25\n"
             "             2 sphere                      -1  behind the eye\n");

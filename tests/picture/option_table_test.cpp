@@ -1,4 +1,4 @@
-// What must hold for every row of the table of options, so that a new one cannot be forgotten anywhere.
+// Properties of every row of the table of options, so that a new option cannot be forgotten anywhere.
 #include "picture/option_table.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace penumbra {
 namespace {
 
-// With everything that an option can change.
+// Has everything that an option can change.
 const std::string scene_text = R"(lens 0.2 5
 shutter 0 0.5
 disk_light 2 5 -2 1 0 -1 0 1 1 1
@@ -28,7 +28,7 @@ translucent 0.1 0.1 0.8 0.3 0.3 0.3 10 0.1 0.05 0.6 1.1 0.3
 sphere 1 1 0 -4
 )";
 
-// For each option texts that ask for something else than `scene_text` and the defaults do.
+// For each option, texts that ask for something other than `scene_text` and the defaults.
 const std::map<std::string_view, std::vector<std::string>> examples = {
     {"size", {"640x480", "1x65536"}},
     {"rays", {"2", "16777216"}},
@@ -110,7 +110,7 @@ TEST(OptionTable, WhatAPictureAsksForIsInItsMetadataAndItsKey) {
 TEST(OptionTable, NoOptionIsDroppedFromTheLinesOfTheWindow) {
   const Scene scene = test::scene_from(scene_text);
   for_each_example([&](const PictureOption& row, const std::string& text) {
-    if (row.name == "frame") return;  // it says nothing without --frames
+    if (row.name == "frame") return;  // it does nothing without --frames
     const std::string lines = changed_lines(scene, parsed(row, text));
     EXPECT_NE(lines, "") << "--" << row.name << ' ' << text << " is dropped";
     if (row.command.empty() && row.name != "without") {
@@ -119,7 +119,7 @@ TEST(OptionTable, NoOptionIsDroppedFromTheLinesOfTheWindow) {
   });
 }
 
-// What scenes can say, the lines say as scenes do: read as the end of the scene, they give the same settings.
+// The lines are scene language: appended to the scene, they give the same settings as the options.
 TEST(OptionTable, TheLinesOfTheWindowAreTheSceneLanguage) {
   const Scene scene = test::scene_from(scene_text);
   for_each_example([&](const PictureOption& row, const std::string& text) {
@@ -169,7 +169,7 @@ TEST(OptionTable, TheReferencePageIsThatOfTheTable) {
   EXPECT_TRUE(page == options_markdown()) << "`make docs` writes docs/options.md from the table";
   for (const PictureOption& row : option_table()) {
     EXPECT_NE(page.find("`--" + std::string(row.name)), page.npos) << row.name;
-    EXPECT_TRUE(row.help.ends_with(']')) << row.name << " does not say in brackets what counts without it";
+    EXPECT_TRUE(row.help.ends_with(']')) << row.name << " does not give its default in brackets";
   }
 }
 

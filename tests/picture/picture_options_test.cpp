@@ -1,4 +1,4 @@
-// The options that the window needs to be repeatable, on the command line of `penumbra render`.
+// The options that make what the window shows repeatable on the command line of `penumbra render`.
 #include "picture/picture_options.hpp"
 
 #include <gtest/gtest.h>
@@ -128,8 +128,10 @@ TEST_F(PictureOptionsTest, SayWhatTheyExpect) {
   EXPECT_NE(problem("--shutter 1,0").find("expected OPEN,CLOSE"), std::string::npos);
   EXPECT_NE(problem("--gloss 0:1").find("NUMBER:RADIUS"), std::string::npos);
   EXPECT_NE(problem("--gloss x").find("NUMBER:RADIUS"), std::string::npos);
-  EXPECT_NE(problem("--gloss 9:0.1").find("--gloss names number 9 of 2 surfaces"), std::string::npos);
-  EXPECT_NE(problem("--disk-radius 2:0.1").find("--disk-radius names number 2 of 1 lights"), std::string::npos);
+  EXPECT_NE(problem("--gloss 9:0.1").find("--gloss names number 9, but the number of surfaces is 2"),
+            std::string::npos);
+  EXPECT_NE(problem("--disk-radius 2:0.1").find("--disk-radius names number 2, but the number of lights is 1"),
+            std::string::npos);
   EXPECT_NE(problem("--without fog").find("there is no effect `fog`"), std::string::npos);
   EXPECT_NE(problem("--exposure 0.3").find("whole number of halves"), std::string::npos);
 }

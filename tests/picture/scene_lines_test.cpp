@@ -64,7 +64,7 @@ TEST(SceneLines, WhatHasNoCommandIsAComment) {
   options.gloss = {{2, 0.3}};
   options.without.add(Effect::antialiasing);
   EXPECT_EQ(lines(options),
-            "# surface 2: gloss radius 0.3, blur radius 0; it has no command for them\n"
+            "# surface 2: gloss radius 0.3, blur radius 0; there is no command for them\n"
             "# --without antialiasing: there is no command for it\n");
 }
 

@@ -1,4 +1,4 @@
-// What tests ask of the packets beside what the program does: compiled for each instruction set as the kernels are.
+// Packet functions for tests, compiled for each instruction set like the kernels.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ enum class LaneFunction {
   log2,
   exp2,
   power,
-  whole_power,   // a to the whole power b
+  whole_power,   // a to the integer power b
   common_power,  // the same with one power for all lanes: that of the first
   acos_turns,
   disk_x,
@@ -23,7 +23,7 @@ enum class LaneFunction {
   ball_y,
   ball_z,
   noise,
-  // Textures of the point (a, b, c), channel by channel, and the border of a stone as StoneCell has it.
+  // Textures of the point (a, b, c), channel by channel, and the border of a stone as in StoneCell.
   wood_red,
   wood_green,
   wood_blue,
@@ -35,12 +35,12 @@ enum class LaneFunction {
 };
 
 struct LaneProbes {
-  // Whether anything is in the way of each ray.
+  // Whether anything blocks each ray.
   void (*occluded)(const World&, std::span<const ProbeRay>, std::span<bool>);
   // Elementary functions and warps: out[i] = function(a[i], b[i], c[i]).
   void (*evaluate)(LaneFunction function, std::span<const float> a, std::span<const float> b, std::span<const float> c,
                    std::span<float> out);
-  // Where each index goes in the permutation of 0 .. length-1 named by the key at the same place.
+  // Where each index goes in the permutation of 0 .. length-1 named by the key at the same position.
   void (*permute)(std::span<std::uint32_t> index, std::uint32_t length, std::span<const std::uint32_t> key);
 };
 

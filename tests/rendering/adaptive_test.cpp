@@ -1,5 +1,5 @@
-// Adaptive rendering: the picture is as good as was asked for, the estimate of its error is honest, the rays go where
-// the noise is, and nothing of how it was rendered shows.
+// Adaptive rendering: the picture is as good as requested, the estimate of its error is honest, the rays go where the
+// noise is, and how it was rendered does not show.
 #include "rendering/adaptive.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ AdaptivePicture render_noise(const std::string& text, const NoiseGoal& goal, con
   return render_noise(scene_from(text, settings), goal, settings);
 }
 
-// Many rays, of another seed.
+// Many rays, with another seed.
 ZeroedVector<float> converged(const std::string& text, int rays) {
   Scene scene = scene_from(text);
   scene.settings.rays_per_pixel = rays;
@@ -112,8 +112,8 @@ box 0.5 -0.5 -5 1.5 0.5 -4
 )";
 }
 
-// The same picture of one tile, by pixels that come one by one: four blocks of the first round in each; then, again and
-// again, as many samples more for all that are worth it, in two parts where there are 32 or more.
+// The same picture of one tile, pixel by pixel: each gets the four blocks of the first round; then, again and again,
+// the samples of all pixels that are worth it are doubled, in two parts if there are 32 or more.
 Film pixel_by_pixel(const Scene& scene, const NoiseGoal& goal) {
   const Frame frame = frame_from(scene);
   const Kernel& kernel = *usable_kernels().back();
@@ -232,7 +232,7 @@ TEST(Adaptive, ThePictureIsAsGoodAsAskedFor) {
   }
 }
 
-// Squares that cover that share of a pixel, once every eight pixels, wherever in their pixel.
+// Squares that cover this share of a pixel, one every eight pixels, anywhere in their pixel.
 constexpr int squares_size = 48, squares_apart = 8;
 std::string squares_text(double share, double brightness) {
   std::string text = fmt::format("image_size {0} {0}\nfov 90\ndiffuse 0 0 0 {1} {1} {1}\n", squares_size, brightness);
@@ -251,7 +251,7 @@ std::string squares_text(double share, double brightness) {
 }
 constexpr int squares = (squares_size / squares_apart) * (squares_size / squares_apart);
 
-// Of the pixels that a speck covers in part, hardly any is left as dark as if there were none.
+// No speck is missed, and the pixels that specks cover in part are about as bright as they should be.
 TEST(Adaptive, SpecksAreFound) {
   const AdaptivePicture picture = render_noise(squares_text(0.2, 1), {0.02f, 4096});
   const ZeroedVector<float> color = picture.film.color(), samples = picture.film.layer(Layer::samples);
@@ -268,7 +268,8 @@ TEST(Adaptive, SpecksAreFound) {
   EXPECT_NEAR(sum / squares, 0.2, 0.02);
 }
 
-// A lamp forty times as bright as white in 1/200 of a pixel: 0.2, and the first sixteen rays would miss nine in ten.
+// Lamps forty times as bright as white in 1/200 of a pixel, which makes 0.2: the first sixteen rays would miss nine in
+// ten.
 TEST(Adaptive, SmallLampsAreFound) {
   constexpr float error = 0.01f;
   const AdaptivePicture picture = render_noise(squares_text(0.005, 40), {error, 1 << 16});
@@ -360,7 +361,7 @@ TEST(Adaptive, TheMostRays) {
     EXPECT_GT(picture.result.unfinished_pixels, 100u);
     for (const float samples : picture.film.layer(Layer::samples)) EXPECT_LE(samples, static_cast<float>(most));
   }
-  // Of a crop, its own pixels only.
+  // In a crop, only its own pixels count.
   settings.crop = PixelRect{3, 4, 6, 6};
   EXPECT_LE(render_noise(blur_text(32, 24), {1e-5f, 64}, settings).result.unfinished_pixels, 6u);
 }

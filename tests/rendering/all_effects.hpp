@@ -1,4 +1,4 @@
-// A small scene with everything in it, for tests of what must hold whatever is rendered.
+// A small scene with everything in it, for tests of properties that must hold whatever is rendered.
 #pragma once
 
 #include <fmt/format.h>

@@ -15,7 +15,7 @@ namespace {
 
 std::atomic<std::uint64_t> allocations{0}, locks{0};
 
-// Counts, then calls the function of that name that would have been called.
+// Counts, then calls the real function of that name.
 template <class Lock>
 int count_and_lock(const char* name, Lock* lock) {
   locks.fetch_add(1, std::memory_order_relaxed);
@@ -24,10 +24,10 @@ int count_and_lock(const char* name, Lock* lock) {
 
 }  // namespace
 
-// An executable's own functions come before those of all libraries.
+// An executable's own functions take precedence over those of all libraries.
 extern "C" {
 
-// glibc's own, under the names that it keeps for this.
+// glibc's own functions, under the names that it provides for this.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
@@ -54,7 +54,7 @@ int posix_memalign(void** result, std::size_t alignment, std::size_t size) noexc
   *result = memalign(alignment, size);
   return *result ? 0 : ENOMEM;
 }
-// What comes straight from the kernel counts alike (base/zeroed_pages.hpp).
+// Memory straight from the kernel counts, too (base/zeroed_pages.hpp).
 void* mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
   allocations.fetch_add(1, std::memory_order_relaxed);
   return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));

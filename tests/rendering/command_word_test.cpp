@@ -1,4 +1,4 @@
-// What the program says to a word that is none of its commands.
+// How the program answers a word that is not one of its commands.
 #include <gtest/gtest.h>
 
 #include "base/test_folder.hpp"

@@ -112,7 +112,7 @@ TEST(Exactness, InstructionSetsDoNotShow) {
   }
 }
 
-// The rays that aim the rays of a cone lens too.
+// Not even in the rays that aim the rays of a cone lens.
 TEST(Exactness, NothingShowsWithAConeLens) {
   for (const std::string& text : {scene_text(1), scene_text(scaled(19, 5)), scene_text(3) + mesh_text()}) {
     RenderSettings settings;
@@ -127,7 +127,7 @@ TEST(Exactness, NothingShowsWithAConeLens) {
   }
 }
 
-// As many samples as wanted beyond the first 65536 of the table: still the same whatever the passes.
+// More samples than the 65536 of the table: still the same whatever the passes.
 TEST(Exactness, ManySamples) {
   constexpr std::uint32_t rays = 65536 + 100;
   const Scene scene = scene_from("image_size 2 1\nfov 30\nrays_per_pixel " + std::to_string(rays) +
@@ -173,7 +173,7 @@ moving_object -1 0 0
   }
 }
 
-// The dimensions that go with the eye ray's belong to the first light that has an area, not to one that needs none.
+// The light dimensions among the eye ray's belong to the first area light, not to a light that needs none.
 TEST(Exactness, ABlackPointLightInFrontDoesNotShow) {
   const std::string disk = "disk_light 0 6 0 1 0 -1 0 0.4 0.5 0.6\nsphere 1 0 0 -5\nbox -9 -2 -9 9 -1 9\n";
   for (const Pattern pattern : {Pattern::sobol, Pattern::random, Pattern::jittered}) {

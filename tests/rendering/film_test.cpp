@@ -1,4 +1,4 @@
-// What a film holds, and what it lets go of.
+// What a film holds, and what it frees.
 #include "rendering/film.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// `penumbra render --isa` as the user has it: what runs, what it refuses, and that the picture does not tell.
+// `penumbra render --isa` as users call it: what runs, what it refuses, and that the picture is the same.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -25,7 +25,7 @@ class IsaOption : public testing::Test {
     return render_command(test::parse_command(render_subcommand, test::command_line(fixed, arguments)));
   }
 
-  // What is said against `--isa name`; empty if nothing is.
+  // The error message about `--isa name`; empty if there is none.
   std::string problem(const std::string& name) {
     try {
       EXPECT_EQ(render({"--isa", name}), 0) << name;
@@ -70,7 +70,7 @@ TEST_F(IsaOption, SaysWhichThereAre) {
   }
 }
 
-// What a user's shell sees.
+// From the shell.
 TEST_F(IsaOption, IsAUsageError) {
   const std::string command = std::string(PENUMBRA_PROGRAM) + " render " + scene_ + " -o " + picture_ + " --isa neon";
   const test::ProgramResult result = test::run_program(command);
@@ -79,7 +79,7 @@ TEST_F(IsaOption, IsAUsageError) {
   EXPECT_FALSE(std::filesystem::exists(picture_));
 }
 
-// The program was built with the kernels of the build option, and all names are among the names.
+// Built kernels have known names, in their order; usable kernels are built kernels.
 TEST(Isa, KernelsHaveTheNamesThereAre) {
   std::size_t next = 0;
   for (const Kernel* kernel : built_kernels()) {

@@ -1,4 +1,4 @@
-// What the layers beside the colour mean: distance along the view, normal, surface colour, variance of the mean.
+// What the layers besides the colour mean: distance along the view, normal, surface colour, variance of the mean.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ TEST(Layers, HaveNames) {
   for (const char* name : {"color", "dept", ""}) EXPECT_FALSE(add_layer(layers, name)) << name;
 }
 
-// The sums of a pixel and how many samples it has, as parts and checkpoints hold them.
+// A pixel's sums and its number of samples, as parts and checkpoints hold them.
 TEST(Layers, TakeTheirBytes) {
   EXPECT_EQ(Film::bytes_per_pixel({}), 3 * 8u + 4);
   EXPECT_EQ(Film::bytes_per_pixel(all_layers), (3 + 2 + 3 + 3 + 3) * 8u + 4);
@@ -63,8 +63,8 @@ TEST(Layers, DepthIsAlongTheViewAndInfiniteOnAMiss) {
   }
 }
 
-// Colours alone are summed another way than colours with layers. More packets than that way takes at once, and mirrors
-// that make more of the light than it can count.
+// Colours alone are summed differently from colours with layers. The test has more packets than that sum takes at once,
+// and mirrors that amplify the light beyond its range.
 TEST(Layers, DoNotShowInTheColour) {
   const std::string mirrors =
       "image_size 12 8\nrays_per_pixel 300\nmax_depth 12\nbackground 0.5 0.25 0.125\n"
@@ -125,13 +125,13 @@ TEST(Layers, NormalOfATriangleTurnsToTheViewer) {
 }
 
 // A share p of the samples of a pixel sees 1, the rest 0: the mean of n has the variance p (1 - p) / n, estimated by
-// m (1 - m) / (n - 1) from the mean m; and over many pixels the means vary by as much, to five standard errors of a
-// variance, sqrt(2 / pixels).
+// m (1 - m) / (n - 1) from the mean m; and over many pixels the means vary by as much, within five standard errors of
+// a variance, sqrt(2 / pixels).
 TEST(Layers, VarianceOfABernoulliPixel) {
   constexpr int rays = 64, size = scaled(64, 24);
   RenderSettings settings = with_layers();
   settings.pattern = Pattern::random;
-  // A disk light of which an edge hides half, seen on a floor patch so small that all pixels see the same.
+  // A disk light half hidden by an edge, seen on a floor patch so small that all pixels see the same.
   const std::string text = fmt::format(
       "image_size {0} {0}\nfov 0.001\nrays_per_pixel {1}\neye 0 2 0\nuvw 1 0 0 0 0 -1 0 1 0\n"
       "disk_light 0 1000 0 1 0 1 0 1 1 1\nsurface 1 1 1\nbox -9 -1 -9 9 0 9\nbox -900 400 -900 0 400.1 900\n",

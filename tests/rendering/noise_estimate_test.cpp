@@ -1,4 +1,4 @@
-// The error of a pixel, as its own samples and those around it tell it: honest where the answer is known.
+// The error of a pixel, estimated from its own samples and those around it: honest where the answer is known.
 #include "rendering/noise_estimate.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace penumbra::test {
 namespace {
 
-// Independent samples of variance s: blocks of them, doubled twice, must be told to have the variance s / n. A mean
-// over W windows of estimates from some 25 differences each has a relative standard error below sqrt(2 / (10 W)).
+// Independent samples of variance s: the estimated variance of the mean of n is s / n, before and after doubling n. A
+// mean over W windows of estimates from some 25 differences each has a relative standard error below sqrt(2 / (10 W)).
 TEST(NoiseEstimate, OfIndependentSamples) {
   constexpr int windows = scaled(400, 100);
   std::mt19937 random(7);
@@ -54,7 +54,7 @@ TEST(NoiseEstimate, OfIndependentSamples) {
   EXPECT_NEAR(after_doubling / windows * 12 * 32, 1, tolerance);
 }
 
-// Of halves and quarters that differ as at rate r, the variance follows: V = d / (4 (r - 1)).
+// If halves and quarters differ as at rate r, the variance is V = d / (4 (r - 1)).
 TEST(NoiseEstimate, OfNets) {
   NoiseWindow window{};
   constexpr std::size_t middle = (noise_window_size + 1) * noise_window_size / 2;
@@ -75,8 +75,8 @@ TEST(NoiseEstimate, OfNets) {
   }
 }
 
-// The rate observed lies between what is expected and what the differences of the pixels around tell, one part in
-// eleven from there; it is the ratio of their sums, those of pixels with more samples weighing as much more.
+// The result is one part in eleven the rate in the differences of the pixels around, the rest the expected rate. The
+// former is the ratio of the sums of the differences, weighted by the pixels' numbers of samples.
 TEST(NoiseEstimate, ObservesRates) {
   NoiseWindow window{};
   constexpr std::size_t middle = (noise_window_size + 1) * noise_window_size / 2;
@@ -99,7 +99,7 @@ TEST(NoiseEstimate, ObservesRates) {
   EXPECT_EQ(observed_rates(window, {2, 2.1f, 2.12f})[middle], 2.12f);
 }
 
-// Colours beyond 0..1 look alike: no error there.
+// Colours beyond 0..1 look the same, so there is no error.
 TEST(NoiseEstimate, Clamps) {
   const SquaredDifference d = squared_difference({20, 8, -4}, {40, 12, -8}, 10);
   EXPECT_NEAR(d.clamped, 0.2 * 0.2 / 3, 1e-6);

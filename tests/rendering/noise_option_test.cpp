@@ -1,4 +1,4 @@
-// `penumbra render --noise` as the user has it: what it writes, says and refuses.
+// `penumbra render --noise` as users call it: what it writes, reports and refuses.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -53,7 +53,7 @@ TEST_F(NoiseOption, WritesWhereTheRaysWent) {
 
 TEST_F(NoiseOption, SaysThatTheMostRaysWereNotEnough) {
   ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_}), 0);
-  EXPECT_NE(printed_.find("of 400 pixels got the most rays, 32,"), std::string::npos) << printed_;
+  EXPECT_NE(printed_.find("of 400 pixels got the maximum of 32 rays"), std::string::npos) << printed_;
   ASSERT_EQ(render({"--noise", "0.0001", "--rays", "32", "-o", picture_, "--quiet"}), 0);
   EXPECT_EQ(printed_, "");
 }
@@ -65,7 +65,7 @@ TEST_F(NoiseOption, RefusesWhatIsNoGood) {
   EXPECT_THROW(render({"--noise", "0.1", "--rays", "3", "-o", picture_}), test::WrongUse);
 }
 
-// Patterns that are made for one number of rays cannot go on.
+// Patterns with a fixed number of rays cannot be extended.
 TEST_F(NoiseOption, RefusesPatternsThatNeedACount) {
   for (std::size_t i = 0; i < std::size(pattern_names); i++) {
     const int code = render({"--noise", "0.1", "--sampler", std::string(pattern_names[i]), "-o", picture_});

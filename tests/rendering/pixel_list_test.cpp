@@ -1,4 +1,4 @@
-// Pixels of a tile are listed once each, those that share packets near each other; who shares a packet does not show.
+// Pixels of a tile are listed once each, those that share packets near each other; sharing a packet does not show.
 #include "rendering/pixel_list.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(PixelList, PutsNeighboursTogether) {
   }
 }
 
-// The pixels of a tile in three kinds of company: in their order, mixed up, and each alone.
+// The pixels of a tile in their order, shuffled, and each alone.
 TEST(PixelList, CompanyDoesNotShow) {
   for (const std::string& text : {scene_text(48), scene_text(48) + mesh_text()}) {
     const Scene scene = scene_from(text);

@@ -14,7 +14,7 @@
 namespace penumbra {
 namespace {
 
-// One sample of one pixel, as the film has it after it alone was rendered.
+// One sample of one pixel, as the film holds it after only that sample was rendered.
 std::array<float, 3> rendered_sample(const Frame& frame, const Kernel& kernel, int x, int y, std::uint32_t sample) {
   Plan plan;
   plan.crop = {x, y, x + 1, y + 1};

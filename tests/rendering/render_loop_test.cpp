@@ -1,5 +1,5 @@
 // No tile and no sample asks for memory or for a lock: a render with four times the samples or four times the tiles
-// makes the same number of such calls, those that start its threads and add up what they did.
+// makes the same number of such calls, those that start its threads and add up their results.
 #include <gtest/gtest.h>
 
 #include <mutex>
@@ -33,7 +33,7 @@ CallCounts calls_of(const Work& work) {
 
 PixelRect full(const Scene& scene) { return {0, 0, scene.settings.width, scene.settings.height}; }
 
-// A frame for both a small picture and one of four times the tiles, which is all of it.
+// A frame, a small crop of it, and the full picture, which has four times the tiles.
 struct Setting {
   Scene scene;
   Frame frame;
@@ -42,7 +42,7 @@ struct Setting {
   explicit Setting(const std::string& text, Pattern pattern = default_pattern) : scene(scene_from(text)) {
     RenderSettings settings;
     settings.pattern = pattern;
-    settings.threads = 1;  // Embree's threads would be counted too
+    settings.threads = 1;  // Embree's threads would be counted, too
     scene.settings.width = scene.settings.height = side;
     frame = frame_from(scene, settings);
     small = {side / 4, side / 4, 3 * side / 4, 3 * side / 4};

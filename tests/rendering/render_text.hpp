@@ -1,4 +1,4 @@
-// A scene as text in, pixels out: through the same steps as the program.
+// From a scene as text to pixels, through the same steps as the program.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The tiles of a window, shared out or not, have each of its pixels once.
+// The tiles of a window, divided into shards or not, have each of its pixels once.
 #include "rendering/tile_grid.hpp"
 
 #include <gtest/gtest.h>

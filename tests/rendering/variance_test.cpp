@@ -1,6 +1,6 @@
-// The default pattern against independent random points, 64 rays a pixel, mean of five seeds: at most a quarter of the
-// variance on soft shadow, gloss, motion and lens each alone (the scenes A, C, D and B of the peers' folder, where it
-// is), and at most 1/2.5 on all effects at once (the demo scene).
+// The default pattern against independent random points, 64 rays per pixel, mean of five seeds: at most a quarter of
+// the variance on soft shadow, gloss, motion and lens each alone (the scenes A, C, D and B of the peers' folder, if it
+// exists), and at most 1/2.5 on all effects at once (the demo scene).
 #include <gtest/gtest.h>
 
 #include <cstdlib>

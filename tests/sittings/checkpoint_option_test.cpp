@@ -1,4 +1,4 @@
-// `penumbra render --checkpoint` and its options as the user has them: what they go on from, and what they refuse.
+// `penumbra render --checkpoint` and its options as users call them: what they resume, and what they refuse.
 #include <gtest/gtest.h>
 
 #include "rendering/checkpoint.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class CheckpointOption : public SittingTest {
  protected:
-  // A checkpoint of a render with these arguments that is not at its end, however fast the machine is.
+  // Leaves the checkpoint of an unfinished render with these arguments, however fast the machine is.
   void begin(const Words& arguments) const {
     int exit_code = 0;
     for (const char* limit : {"0.3s", "0.1s", "0.03s", "0.01s", "0.001s"}) {
@@ -31,14 +31,14 @@ TEST_F(CheckpointOption, RefusesAnotherRender) {
   begin(long_render_);
   const std::string refusal = "penumbra: `" + checkpoint_ + "` is the checkpoint of another render: ";
   EXPECT_EQ(resume({"--rays", "20"}), 65);
-  EXPECT_EQ(said(), refusal + "its `rays` is 1000000, and 20 here\n");
+  EXPECT_EQ(said(), refusal + "its `rays` is 1000000, but 20 here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--crop", "0,0,9,9"}), 65);
-  EXPECT_EQ(said(), refusal + "its `crop` is not given, and 0,0,9,9 here\n");
+  EXPECT_EQ(said(), refusal + "its `crop` is not given, but 0,0,9,9 here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--aov", "normal,depth"}), 65);
-  EXPECT_EQ(said(), refusal + "its `aov` is not given, and depth,normal here\n");
+  EXPECT_EQ(said(), refusal + "its `aov` is not given, but depth,normal here\n");
   EXPECT_EQ(resume(long_render_ + Words{"--noise", "0.1"}), 65);
   EXPECT_EQ(resume(long_render_ + Words{"--shard", "0/2"}), 65);
-  EXPECT_EQ(said(), refusal + "its `shard` is not given, and 0/2 here\n");
+  EXPECT_EQ(said(), refusal + "its `shard` is not given, but 0/2 here\n");
   put_content(scene_, scene_text(16) + "# changed\n");
   EXPECT_EQ(resume(long_render_), 65);
   EXPECT_EQ(said(), refusal + "the scene, or a file that it reads, is not the same\n");
@@ -54,7 +54,7 @@ TEST_F(CheckpointOption, RefusesAnotherMesh) {
   EXPECT_NE(said().find("a file that it reads, is not the same"), std::string::npos) << said();
 }
 
-// What does not change the picture may change from sitting to sitting.
+// What does not change the picture may change from session to session.
 TEST_F(CheckpointOption, ThreadsAndFilesMayChange) {
   const Words arguments = {"--rays", "600"};
   const std::string whole = unbroken(arguments).first;
@@ -73,7 +73,7 @@ TEST_F(CheckpointOption, ADamagedOneGivesWayToTheOneBefore) {
   std::string bad = good;
   bad[bad.size() / 2] ^= 1;
   put_content(checkpoint_, bad);
-  // Not for long: the good one must still be there then.
+  // Stopped at once, which must leave the good one.
   const Words command =
       Words{"render", scene_, "--progress", "none", "--checkpoint", checkpoint_, "--resume", "-o", picture_} +
       arguments;
@@ -95,9 +95,9 @@ TEST_F(CheckpointOption, WithoutResumeItBeginsAnew) {
   const std::string whole = unbroken(arguments).first;
   begin(long_render_);
   EXPECT_EQ(run(Words{"render", scene_, "-o", picture_, "--checkpoint", checkpoint_} + arguments), 0);
-  EXPECT_NE(said().find("warning: rendering from the beginning, as there is no --resume: `" + checkpoint_ +
-                        "` will be replaced"),
-            std::string::npos)
+  EXPECT_NE(
+      said().find("warning: rendering from the beginning, without --resume: `" + checkpoint_ + "` will be replaced"),
+      std::string::npos)
       << said();
   EXPECT_TRUE(content_of(picture_) == whole);
 }
@@ -107,10 +107,10 @@ TEST_F(CheckpointOption, WithNothingToResumeItBeginsAtTheBeginning) {
   EXPECT_NE(said().find("there is no checkpoint `" + checkpoint_ + "` yet"), std::string::npos) << said();
 }
 
-// Whatever the user names by mistake stays what it is.
+// A file that the user names by mistake is left alone.
 TEST_F(CheckpointOption, ReplacesNothingButCheckpoints) {
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", scene_}), 73);
-  EXPECT_NE(said().find("there is a file of another kind in its place"), std::string::npos) << said();
+  EXPECT_NE(said().find("a file of another kind has that name"), std::string::npos) << said();
   EXPECT_EQ(content_of(scene_), scene_text(16));
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", folder_.path().string()}), 73);
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", "/dev/null"}), 73);

@@ -1,4 +1,4 @@
-// A checkpoint that is not whole, or not of this render, is refused with one sentence that says so.
+// A checkpoint that is damaged, or of another render, is refused with one sentence that says so.
 #include "rendering/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class CheckpointFile : public testing::Test {
   const Setting setting_{picture};
   const std::vector<std::byte> good_ = example(setting_);
 
-  // The sentence; empty if there is no error.
+  // The error message; empty if there is no error.
   static std::string error_of(const std::vector<std::byte>& bytes) {
     try {
       Checkpoint(bytes, "c");
@@ -68,11 +68,11 @@ TEST_F(CheckpointFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_of({}), "`c` is not a checkpoint");
   std::vector<std::byte> bad = good_;
   bad[12] = std::byte{9};
-  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, and this program knows format 3 only");
+  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, but this program knows only format 3");
   bad = good_;
   bad[100] ^= std::byte{1};
   EXPECT_EQ(error_of(bad), "`c` is a damaged checkpoint: block 1 at byte 16 of " + std::to_string(bad.size()) +
-                               ": it is not what was written");
+                               ": its checksum does not match");
   bad = good_;
   bad.pop_back();
   EXPECT_TRUE(error_of(bad).ends_with("the file ends too early")) << error_of(bad);
@@ -99,10 +99,10 @@ TEST_F(CheckpointFile, OfAnotherRender) {
   EXPECT_EQ(refusal([](PictureKey& key) { key.picture = 3; }),
             "`c` is the checkpoint of another render: it is of picture 1 of the scene, not of 3");
   EXPECT_EQ(refusal([](PictureKey& key) { key.plan.emplace_back("rays", "5"); }),
-            "`c` is the checkpoint of another render: its `rays` is not given, and 5 here");
+            "`c` is the checkpoint of another render: its `rays` is not given, but 5 here");
 }
 
-// Blocks that are whole but cannot be this picture's.
+// Intact blocks that cannot belong to this picture.
 TEST_F(CheckpointFile, OfAnotherSizeIsDamaged) {
   const Checkpoint checkpoint(good_, "c");
   const auto is_refused = [&](PictureOfTest other) {
@@ -149,8 +149,7 @@ TEST_F(LastCheckpointFile, IsTheNewestThatIsWhole) {
   last = read_last_checkpoint(newest_);
   EXPECT_TRUE(last.checkpoint);
   EXPECT_TRUE(last.warning.starts_with("`" + newest_.string() + "` is a damaged checkpoint: block ")) << last.warning;
-  EXPECT_TRUE(last.warning.ends_with("; going on from the one before it, `" + previous_.string() + "`"))
-      << last.warning;
+  EXPECT_TRUE(last.warning.ends_with("; resuming from the previous one, `" + previous_.string() + "`")) << last.warning;
 
   std::filesystem::remove(newest_);
   last = read_last_checkpoint(newest_);

@@ -1,5 +1,5 @@
 // Whichever call that writes a file fails, and however: a message and the exit code say so, the old file is untouched,
-// no temporary one is left, and the render can be gone on with.
+// no temporary file is left, and the render can be resumed.
 #include <gtest/gtest.h>
 
 #include "sittings/sitting_fixture.hpp"
@@ -21,8 +21,8 @@ class FailingCall : public SittingTest {
     return {code, failed};
   }
 
-  // Runs the command with each call failing in turn, before each of which `prepare()` puts the files in place. `check`
-  // gets the exit code and the call's name.
+  // Runs the command once for each call, with that call failing. Before each run, `prepare()` puts the files in place;
+  // after it, `check` gets the exit code and the call's name.
   template <class Prepare, class Check>
   void for_every_call(const Words& command, int fewest_calls, const Prepare& prepare, const Check& check) const {
     for (const std::string how : {"ENOSPC", "EIO", "SHORT", "FULL"}) {
@@ -54,7 +54,7 @@ TEST_F(FailingCall, OfARender) {
       });
 }
 
-// The checkpoint goes when the picture is written, so the picture's name has to be on the disk by then.
+// The checkpoint is removed once the picture is written, so the picture's name has to be on the disk by then.
 TEST_F(FailingCall, PictureOfACheckpointIsForcedToTheDiskWithItsFolder) {
   Words calls;
   for (int call = 1;; call++) {
@@ -111,7 +111,7 @@ TEST_F(FailingCall, OfASittingThatIsInterrupted) {
       });
 }
 
-// When the disk goes away while the render goes on, that ends it; and the checkpoint before can be gone on from.
+// If the disk goes away during a render, the render ends, and the previous checkpoint can be resumed.
 TEST_F(FailingCall, OfASavingOnTheWay) {
   const Words sitting = {"render",    scene_,     "--quiet", "-o",      picture_,  "--checkpoint",
                          checkpoint_, "--resume", "--rays",  "1000000", "--every", "0.05s"};

@@ -1,11 +1,11 @@
-// Put before a program by LD_PRELOAD: one of its calls that write a file fails, as PENUMBRA_FAIL says:
+// Loaded into a program by LD_PRELOAD: makes one of its calls that write a file fail, as PENUMBRA_FAIL says:
 //
-//   k:ENOSPC, k:EIO   the k-th of write, fsync, link and rename fails so
+//   k:ENOSPC, k:EIO   the k-th of write, fsync, link and rename fails with this error
 //   k:GONE            the k-th and all after it fail with EIO
 //   k:SHORT           the k-th write writes half of what it should
 //   k:FULL            the same, and all writes after it fail with ENOSPC
 //
-// Only regular files and folders count. The name of the call that failed goes into the file PENUMBRA_FAIL_LOG.
+// Only regular files and folders count. The name of the call that failed is written to the file PENUMBRA_FAIL_LOG.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -57,7 +57,7 @@ void note(const char* name) {
   ::close(fd);
 }
 
-// Whether this call is the one; errno is set then.
+// Whether this call has to fail; if so, sets errno.
 bool fails(const char* name) {
   const int call = calls.fetch_add(1) + 1;
   if (call < plan().call || (call > plan().call && !plan().is("GONE"))) return false;

@@ -1,4 +1,4 @@
-// Animations: which frames are rendered, into which files, what is skipped, and how the motion of one frame goes on in
+// Animations: which frames are rendered, into which files, what is skipped, and how motion continues from one frame to
 // the next.
 #include <fmt/format.h>
 
@@ -79,7 +79,7 @@ TEST_F(FrameTest, thatAreFinishedAreSkipped) {
   const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
   for (const char* number : {"0000", "0001", "0003"}) std::filesystem::last_write_time(file(number), old);
   std::filesystem::remove(file("0001"));                           // missing
-  put_content(file("0002"), all[2].substr(0, all[2].size() / 2));  // torn
+  put_content(file("0002"), all[2].substr(0, all[2].size() / 2));  // truncated
   ASSERT_EQ(render_frames({"--frames", "0-3", "--resume"}), 0) << said();
   EXPECT_EQ(std::filesystem::last_write_time(file("0000")), old);
   EXPECT_EQ(std::filesystem::last_write_time(file("0003")), old);
@@ -89,7 +89,7 @@ TEST_F(FrameTest, thatAreFinishedAreSkipped) {
   EXPECT_GT(std::filesystem::last_write_time(file("0000")), old) << "without --resume all frames are rendered";
 }
 
-// A file that is a picture, but of another scene, option, range or frame, is never taken for a finished frame.
+// A picture of another scene, option, range or frame is never taken for a finished frame.
 TEST_F(FrameTest, ofAnythingElseAreNotSkipped) {
   ASSERT_EQ(render_frames({"--frames", "0-1"}), 0) << said();
   const std::string right = content_of(file("0001"));
@@ -117,7 +117,7 @@ TEST_F(FrameTest, thatWereInterruptedAreNotSkipped) {
   int code = render_frames({"--frames", "0-1", "--rays", "400", "--time-limit", "0.001s"});
   EXPECT_EQ(code, 75) << said();
   EXPECT_NE(said().find("--resume"), std::string::npos) << said();
-  EXPECT_FALSE(std::filesystem::exists(file("0001"))) << "a frame was begun after the end";
+  EXPECT_FALSE(std::filesystem::exists(file("0001"))) << "a frame was started after the end";
   ASSERT_EQ(render_frames({"--frames", "0-1", "--rays", "400", "--resume"}), 0) << said();
   EXPECT_EQ(content_of(file("0000")), whole[0]);
   EXPECT_EQ(content_of(file("0001")), whole[1]);
@@ -145,9 +145,9 @@ TEST_F(FrameTest, refuseTheCheckpointOfAnotherAnimation) {
   const Words checkpoint = {"--rays", "10000000", "--checkpoint", checkpoint_, "--time-limit", "0.5s"};
   ASSERT_EQ(render_frames(checkpoint + Words{"--frames", "0-2"}), 75) << said();
   EXPECT_EQ(render_frames(checkpoint + Words{"--frames", "0-3", "--resume"}), 65);
-  EXPECT_NE(said().find("its `frames` is 0-2, and 0-3 here"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `frames` is 0-2, but 0-3 here"), std::string::npos) << said();
   EXPECT_EQ(render_frames(checkpoint + Words{"--resume"}), 65);
-  EXPECT_NE(said().find("its `frames` is 0-2, and not given here"), std::string::npos) << said();
+  EXPECT_NE(said().find("its `frames` is 0-2, but not given here"), std::string::npos) << said();
 }
 
 TEST_F(FrameTest, canBeRenderedInShards) {
@@ -186,7 +186,7 @@ TEST_F(FrameTest, haveOptionsThatGoTogether) {
                             "1 -3", "99999999999-999999999999", ""}) {
     EXPECT_NE(usage_error({"--frames", wrong}).find("--frames"), std::string::npos) << wrong;
   }
-  EXPECT_NE(usage_error({"--frames", "1-3", "--frame", "4"}).find("4 is none of the frames 1-3"), std::string::npos);
+  EXPECT_NE(usage_error({"--frames", "1-3", "--frame", "4"}).find("4 is not one of the frames 1-3"), std::string::npos);
   EXPECT_NE(usage_error({"--frame", "4"}).find("--frames"), std::string::npos);
   EXPECT_NE(usage_error({"--resume"}).find("--checkpoint or --frames"), std::string::npos);
   EXPECT_NE(usage_error({"--frames", "1-3", "--video", "a.avi"}).find(".mp4"), std::string::npos);
@@ -195,7 +195,7 @@ TEST_F(FrameTest, haveOptionsThatGoTogether) {
             std::string::npos);
 }
 
-// The files tell all that repeats them.
+// The files record everything that repeats them.
 TEST_F(FrameTest, tellWhichTheyAre) {
   ASSERT_EQ(render_frames({"--frames", "3-5", "--frame", "4"}), 0) << said();
   std::string frames, frame;
@@ -207,15 +207,15 @@ TEST_F(FrameTest, tellWhichTheyAre) {
   EXPECT_EQ(frame, "4");
 }
 
-// A ball that goes across the picture in five frames. What lies open to it longest is seen in one long exposure; the
-// mean of the frames is the same picture only if each of them begins where the last one ended.
+// A ball that crosses the picture in five frames. The mean of the frames is the same picture as one long exposure only
+// if each frame begins where the last one ended.
 TEST_F(FrameTest, joinTheirMotion) {
   put_content(scene_,
               "image_size 60 12\nfov 20\nbackground 0 0 0\nlight 0 0 99 1 1 1\ndiffuse 1 1 1 0 0 0\n"
               "moving_sphere 0.4 -3 0 -10 2 0 -10\n");
   const Words rays = {"--rays", "1024"};
-  // From the beginning of frame 0 to the end of frame 4, a quarter of the way from the first to the last beginning
-  // each.
+  // From the beginning of frame 0 to the end of frame 4; each frame takes a quarter of the time from the first
+  // beginning to the last.
   ASSERT_EQ(render(rays + Words{"--shutter", "0,1.25", "-o", path("long.exr")}), 0) << said();
   const auto difference_of_mean = [&](const Words& options) {
     EXPECT_EQ(render(rays + options + Words{"--frames", "0-4", "-o", path("out.exr")}), 0) << said();
@@ -236,7 +236,7 @@ TEST_F(FrameTest, joinTheirMotion) {
 
 class VideoTest : public FrameTest {
  protected:
-  // A program of that name which does what the shell script says.
+  // A program of that name that runs the shell script.
   void put_ffmpeg(const std::string& script) const {
     std::filesystem::create_directory(path("bin"));
     put_content(path("bin/ffmpeg"), "#!/bin/sh\n" + script);
@@ -273,11 +273,11 @@ TEST_F(VideoTest, isNotWrittenWhereFfmpegFails) {
   put_content(path("out.mp4"), "old");
   put_ffmpeg("exit 1\n");
   EXPECT_EQ(render_video(with_tools()), 73);
-  EXPECT_NE(said().find("ffmpeg has failed"), std::string::npos) << said();
+  EXPECT_NE(said().find("ffmpeg failed"), std::string::npos) << said();
   EXPECT_EQ(content_of(path("out.mp4")), "old");
   put_ffmpeg("cat > /dev/null\n");
   EXPECT_EQ(render_video(with_tools()), 73);
-  EXPECT_NE(said().find("ffmpeg has made nothing"), std::string::npos) << said();
+  EXPECT_NE(said().find("ffmpeg wrote nothing"), std::string::npos) << said();
   EXPECT_EQ(content_of(path("out.mp4")), "old");
 }
 
@@ -285,7 +285,7 @@ TEST_F(VideoTest, isOfOnePictureAFrame) {
   put_ffmpeg("exit 1\n");
   put_content(scene_, animated + "render\nrender\n");
   EXPECT_EQ(render_video(with_tools()), 64);
-  EXPECT_NE(said().find("one picture a frame, and this scene has 2"), std::string::npos) << said();
+  EXPECT_NE(said().find("one picture per frame, and this scene has 2"), std::string::npos) << said();
 }
 
 }  // namespace

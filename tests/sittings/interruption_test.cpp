@@ -1,5 +1,5 @@
-// Signals and the time limit: the picture so far and the checkpoint are written, the exit code is 75, and going on
-// gives the unbroken file.
+// Signals and the time limit: the picture so far and the checkpoint are written, the exit code is 75, and resuming
+// gives the file of an unbroken render.
 #include "app/sessions/interruption.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace penumbra::test {
 namespace {
 
-// Ends of a child process that does `work`: its exit code, or 128 and the number of the signal.
+// How a child process that does `work` ends: its exit code, or 128 plus the number of the signal.
 template <class Work>
 int end_of_child(const Work& work) {
   const pid_t child = ::fork();
@@ -64,7 +64,7 @@ TEST(Interruption, IsNotedBetweenPictures) {
 
 class Interrupted : public SittingTest {
  protected:
-  // A render of minutes.
+  // A render that takes minutes.
   Words endless() const {
     return Words{"render", scene_,   "--size",       "640x480",   "--rays",  "100000", "--threads",  "2",
                  "-o",     picture_, "--checkpoint", checkpoint_, "--every", "0.2s",   "--progress", "none"};
@@ -79,7 +79,7 @@ TEST_F(Interrupted, BySignals) {
     program.send(signal);
     EXPECT_EQ(program.wait(), 75) << said();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 20) << "not in the two seconds of an idle machine, but at once";
+    EXPECT_LT(seconds.count(), 20) << "at once, if not in the two seconds of an idle machine";
     EXPECT_NE(said().find(signal == SIGINT ? "interrupted by SIGINT" : "interrupted by SIGTERM"), std::string::npos)
         << said();
     EXPECT_EQ(read_image(picture_).image.width, 640);
@@ -98,7 +98,7 @@ TEST_F(Interrupted, ByTheTimeLimit) {
   int sittings = 1;
   for (int code; (code = render(limited)) != 0; sittings++) {
     ASSERT_EQ(code, 75) << said();
-    EXPECT_EQ(said(), "penumbra: the time limit is reached: the same command with --resume goes on from `" +
+    EXPECT_EQ(said(), "penumbra: the time limit is reached: the same command with --resume continues from `" +
                           checkpoint_ + "`\n");
     ASSERT_LT(sittings, 200);
   }
@@ -109,11 +109,11 @@ TEST_F(Interrupted, ByTheTimeLimit) {
 
 TEST_F(Interrupted, WithoutACheckpointThereIsThePicture) {
   EXPECT_EQ(render({"--rays", "1000000", "--time-limit", "0.5", "-o", picture_}), 75);
-  EXPECT_EQ(said(), "penumbra: the time limit is reached: what is written is not finished\n");
+  EXPECT_EQ(said(), "penumbra: the time limit is reached: the picture is not finished\n");
   EXPECT_EQ(read_image(picture_).image.width, 53);
 }
 
-// A shard that is not finished is no part.
+// An unfinished shard writes no part.
 TEST_F(Interrupted, AShardHasItsCheckpointOnly) {
   EXPECT_EQ(render({"--rays", "1000000", "--time-limit", "0.5", "-o", picture_, "--shard", "0/2", "--checkpoint",
                     checkpoint_}),

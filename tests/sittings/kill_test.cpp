@@ -1,5 +1,5 @@
-// Renders that are killed at random moments, without a chance to say farewell, and gone on with: the file in the end is
-// that of an unbroken render, byte for byte, and nothing else is left.
+// Renders that are killed at random moments, without a chance to save, and resumed: the final file is that of an
+// unbroken render, byte for byte, and nothing else is left.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -44,7 +44,7 @@ class Kill : public SittingTest {
     }
   }
 
-  // The file is large and saved all the time, so that most kills come while one is being written.
+  // Checkpoints are large and saved all the time, so that most kills come while one is being written.
   void kills_while_writing(int kills) const {
     std::mt19937 random(6);
     const Words arguments = Words{"--size", "400x300", "--rays", "16"} + layers;

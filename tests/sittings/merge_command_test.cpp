@@ -1,4 +1,4 @@
-// `penumbra merge` as the user has it: the file of a single render, or the names of what is wrong and no file.
+// `penumbra merge` as users call it: writes the file of a single render, or says what is wrong and writes nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_F(Merge, GivesTheFileOfASingleRender) {
   }
 }
 
-// What comes after the film is the same too: painted rectangles, bits, the course's rounding.
+// What comes after the film is the same, too: painted rectangles, bits, the course's rounding.
 TEST_F(Merge, DevelopsAsTheSingleRenderDoes) {
   put_content(scene_, scene_text(4) + "color 1 .5 .25\nrect 3 4 20 9\n");
   for (const Words& arguments : {Words{"--bits", "16"}, Words{"--course"}}) {
@@ -52,7 +52,7 @@ TEST_F(Merge, DevelopsAsTheSingleRenderDoes) {
 TEST_F(Merge, ManyFilesAtOnce) {
   const Words parts = shards(2, {});
   EXPECT_EQ(run(Words{"merge", "-o", picture_, "-o", path("picture.png")} + parts), 0);
-  EXPECT_NE(said().find("picture.png: 53x37 pixels, of 2 parts"), std::string::npos) << said();
+  EXPECT_NE(said().find("picture.png: 53x37 pixels, from 2 parts"), std::string::npos) << said();
   EXPECT_TRUE(std::filesystem::exists(picture_));
 }
 
@@ -64,17 +64,17 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
     EXPECT_EQ(content_of(picture_), "old");
     return said();
   };
-  EXPECT_EQ(problem({good[0], good[4]}), "penumbra: of 5 shards, from 0, 3 are missing: 1-3\n");
+  EXPECT_EQ(problem({good[0], good[4]}), "penumbra: of 5 shards, numbered from 0, 3 are missing: 1-3\n");
   EXPECT_EQ(problem(good + Words{good[3]}),
-            "penumbra: shard 3 is there twice: `" + good[3] + "` and `" + good[3] + "`\n");
+            "penumbra: shard 3 occurs twice: `" + good[3] + "` and `" + good[3] + "`\n");
   EXPECT_EQ(problem(good + Words{path("none.exr")}, 66),
             "penumbra: cannot open `" + path("none.exr") + "`: No such file or directory\n");
 
   const std::string other = path("other.exr");
   ASSERT_EQ(render({"--rays", "3", "--shard", "1/5", "-o", other}), 0);
   EXPECT_EQ(problem({good[0], other, good[2], good[3], good[4]}),
-            "penumbra: `" + other + "` is a part of another picture: its `rays` is 3, and 2 in the others\n" +
-                "penumbra: of 5 shards, from 0, one is missing: 1\n");
+            "penumbra: `" + other + "` is a part of another picture: its `rays` is 3, but 2 in the others\n" +
+                "penumbra: of 5 shards, numbered from 0, one is missing: 1\n");
 
   ASSERT_EQ(render({"-o", other}), 0);
   EXPECT_EQ(problem(good + Words{other}),
@@ -82,7 +82,7 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
 
   const std::string whole = content_of(good[1]);
   put_content(good[1], whole.substr(0, whole.size() - 100));
-  EXPECT_NE(problem(good).find("penumbra: `" + good[1] + "` is a torn part of a picture: its end is missing\n"),
+  EXPECT_NE(problem(good).find("penumbra: `" + good[1] + "` is a truncated part of a picture: its end is missing\n"),
             std::string::npos);
   std::string damaged = whole;
   damaged[damaged.size() - 1000] ^= 1;
@@ -91,7 +91,7 @@ TEST_F(Merge, NamesWhatIsWrongAndWritesNothing) {
             std::string::npos);
 }
 
-// Wherever a part is cut off or changed, it is noticed; but for the preview, which is not the picture.
+// Wherever a part is truncated or changed, it is noticed, except in the preview, which does not count.
 TEST_F(Merge, NoticesDamageAnywhere) {
   put_content(scene_, "image_size 20 12\nbackground .3 .4 .5\n");
   const Words parts = shards(2, {});

@@ -1,4 +1,4 @@
-// Pictures of all kinds that can be rendered in several sittings, and their films compared to the bit.
+// All kinds of pictures that can be rendered in several sessions, and the films they must give, to the bit.
 #pragma once
 
 #include <gtest/gtest.h>

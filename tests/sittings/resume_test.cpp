@@ -1,4 +1,4 @@
-// A render that is stopped anywhere, saved, and gone on with by another process gives the film of an unbroken one.
+// A render that is stopped anywhere, saved, and resumed as by another process gives the film of an unbroken one.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,7 +9,8 @@
 namespace penumbra::test {
 namespace {
 
-// The film of a render that is stopped after `calls()` calls of the kernel, again and again; and how often it was.
+// The film of a render that is stopped after `calls()` calls of the kernel, again and again; and the number of
+// sessions.
 template <class Calls>
 std::pair<FilmValues, int> in_sittings(const Setting& setting, int threads, const Calls& calls) {
   std::vector<std::byte> saved;
@@ -38,12 +39,12 @@ TEST_P(Resume, GivesTheUnbrokenFilm) {
     for (const int threads : {1, 3}) {
       const auto [film, sittings] = in_sittings(
           setting, threads, [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(longest)); });
-      EXPECT_TRUE(film == whole) << sittings << " sittings";
+      EXPECT_TRUE(film == whole) << sittings << " sessions";
     }
   }
 }
 
-// Every sitting gets somewhere, however short it is.
+// Every session makes progress, however short it is.
 TEST_P(Resume, OneCallAtATime) {
   Setting setting(GetParam());
   PixelRect& crop = setting.plan.crop;
@@ -51,10 +52,10 @@ TEST_P(Resume, OneCallAtATime) {
   const FilmValues whole = unbroken(setting);
   int most = 0;
   const auto [film, sittings] = in_sittings(setting, 1, [&] { return setting.goal ? 1000 : (most++, 1); });
-  EXPECT_TRUE(film == whole) << sittings << " sittings";
+  EXPECT_TRUE(film == whole) << sittings << " sessions";
 }
 
-// The same process going on, as it does after it has written a checkpoint.
+// The same process continues, as it does after it has written a checkpoint.
 TEST_P(Resume, GoesOnWithoutACheckpoint) {
   const Setting setting(GetParam());
   RenderState state;
@@ -110,7 +111,7 @@ TEST(PictureSoFar, IsTheMeanOfWhatThereIs) {
   EXPECT_EQ(with_second, 3 * 256 + 80 + 3 * 64);  // the fourth tile of a row is five pixels wide
 }
 
-// Of an adaptive render, too: after the first round there is a picture of everything.
+// An adaptive render, too, has a complete picture after the first round.
 TEST(PictureSoFar, OfAnAdaptiveRender) {
   const Setting setting({"", scene_text(256), 0.01f});
   RenderState state;

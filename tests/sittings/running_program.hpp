@@ -1,4 +1,4 @@
-// `penumbra` as a process of its own, which a test may kill.
+// Runs `penumbra` as a separate process, which a test may kill.
 #pragma once
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@ namespace penumbra::test {
 
 class RunningProgram {
  public:
-  // What it prints goes to the file `output`.
+  // Its output goes to the file `output`.
   RunningProgram(std::vector<std::string> arguments, const std::string& output,
                  const std::vector<std::pair<std::string, std::string>>& environment = {}) {
     arguments.insert(arguments.begin(), PENUMBRA_PROGRAM);
@@ -45,7 +45,7 @@ class RunningProgram {
 
   void send(int signal) const { ::kill(pid_, signal); }
 
-  // The exit code, or 128 and the number of the signal that ended it.
+  // The exit code, or 128 plus the number of the signal that ended it.
   int wait() {
     int status = 0;
     ::waitpid(std::exchange(pid_, -1), &status, 0);

@@ -1,4 +1,4 @@
-// Shards have all tiles between them, evenly; and their parts, in any order, are the picture.
+// Shards divide all tiles evenly among them, and their parts, in any order, give the picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ TEST(Shards, HaveAllTilesBetweenThem) {
   }
 }
 
-// In each twelfth of the picture, each shard has its share, within two tiles.
+// In each twelfth of the picture, each shard has its share, within 10 % and two tiles.
 TEST(Shards, AreSpreadEvenly) {
   for (const PixelRect& picture :
        {PixelRect{0, 0, 640, 480}, PixelRect{0, 0, 1280, 720}, PixelRect{0, 0, 3840, 2160}}) {
@@ -101,15 +101,15 @@ class Complaints : public testing::Test {
 
 TEST_F(Complaints, WhatIsMissing) {
   parts_.erase(parts_.begin() + 11);
-  EXPECT_EQ(problems(), Sentences{"of 12 shards, from 0, one is missing: 11"});
+  EXPECT_EQ(problems(), Sentences{"of 12 shards, numbered from 0, one is missing: 11"});
   parts_.erase(parts_.begin() + 5, parts_.begin() + 8);
   parts_.erase(parts_.begin() + 1);
-  EXPECT_EQ(problems(), Sentences{"of 12 shards, from 0, 5 are missing: 1, 5-7, 11"});
+  EXPECT_EQ(problems(), Sentences{"of 12 shards, numbered from 0, 5 are missing: 1, 5-7, 11"});
 }
 
 TEST_F(Complaints, WhatIsThereTwice) {
   parts_.push_back(parts_[4]);
-  EXPECT_EQ(problems(), Sentences{"shard 4 is there twice: `part4` and `part12`"});
+  EXPECT_EQ(problems(), Sentences{"shard 4 occurs twice: `part4` and `part12`"});
 }
 
 TEST_F(Complaints, WhatIsOfAnotherPicture) {
@@ -119,7 +119,7 @@ TEST_F(Complaints, WhatIsOfAnotherPicture) {
     parts_[0] = part_of(other, {0, 12});
     const Sentences sentences = problems();
     EXPECT_EQ(sentences.size(), 2u);
-    EXPECT_EQ(sentences.back(), "of 12 shards, from 0, one is missing: 0");
+    EXPECT_EQ(sentences.back(), "of 12 shards, numbered from 0, one is missing: 0");
     return sentences.front();
   };
   EXPECT_EQ(problem([](Setting& s) { s.key.version = "0.9"; }),
@@ -129,14 +129,14 @@ TEST_F(Complaints, WhatIsOfAnotherPicture) {
   EXPECT_EQ(problem([](Setting& s) { s.key.picture = 2; }),
             "`part0` is a part of another picture: it is of picture 2 of the scene, not of 1");
   EXPECT_EQ(problem([](Setting& s) { s.key.plan.emplace_back("seed", "7"); }),
-            "`part0` is a part of another picture: its `seed` is 7, and not given in the others");
+            "`part0` is a part of another picture: its `seed` is 7, but not given in the others");
   EXPECT_EQ(problem([](Setting& s) { s.plan.layers.add(Layer::depth); }),
-            "`part0` is a part of another picture: it is not to be developed as the others are");
+            "`part0` is a part of another picture: its crop, layers or output options differ from the others");
   parts_[0] = part_of(setting_, {0, 13});
   EXPECT_EQ(problems().front(), "`part0` is a part of another picture: it is one of 13 shards, not of 12");
 }
 
-// Any byte that is not what was written, and any end that is too early, is noticed.
+// Any changed byte and any missing end is noticed.
 TEST_F(Complaints, Damage) {
   const std::vector<std::byte> good = part_of(setting_, {1, 12});
   const auto is_refused = [](const std::vector<std::byte>& bytes) {

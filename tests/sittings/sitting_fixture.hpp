@@ -27,7 +27,7 @@ class SittingTest : public testing::Test {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  // `render SCENE arguments...`; what it says is in said() then.
+  // Runs `render SCENE arguments...`; its output is then in said().
   int render(const Words& arguments) const { return run(Words{"render", scene_, "--quiet"} + arguments); }
   int run(const Words& words, const std::vector<std::pair<std::string, std::string>>& environment = {}) const {
     return RunningProgram(words, log_, environment).wait();
@@ -46,7 +46,7 @@ class SittingTest : public testing::Test {
     return {std::move(bytes), seconds};
   }
 
-  // The files there are but scene and log.
+  // The names of all files except scene and log.
   Words others() const {
     Words names = folder_.names();
     std::erase_if(names, [](const std::string& name) { return name == "scene.cli" || name == "log"; });

@@ -1,4 +1,4 @@
-// A kernel that says stop after a number of calls, so that a test can stop a render at any place of its choice.
+// A kernel that stops the render after a number of calls, so that a test can stop it at any point of its choice.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,7 @@
 
 namespace penumbra::test {
 
-// One at a time.
+// Only one may exist at a time.
 class StoppingKernel {
  public:
   explicit StoppingKernel(std::atomic<bool>& stop) : kernel_(*usable_kernels().back()) {
@@ -19,7 +19,7 @@ class StoppingKernel {
 
   const Kernel& kernel() const { return kernel_; }
 
-  // The flag is set during the call of this number from now on.
+  // Sets the flag during call `number`, counted from now on.
   static void stop_in_call(int number) { calls_left_ = number; }
 
  private:

@@ -13,7 +13,7 @@
 namespace penumbra {
 namespace {
 
-// What the groups and definitions of a scene hold, each counted once however often it is placed.
+// Counts of what the groups and definitions of a scene hold, each counted once however often it is placed.
 struct Counts {
   struct Kind {
     std::uint64_t count = 0;
@@ -40,7 +40,7 @@ std::string plural(std::uint64_t count, std::string_view one, std::string_view m
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// Joins what is there; "none" if nothing is.
+// The parts, separated by commas; "none" if there are none.
 std::string listed(const std::vector<std::string>& parts) {
   return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -78,7 +78,7 @@ std::string describe_camera(const Camera& camera) {
 std::string describe_objects(const Scene& scene, const Counts& counts) {
   std::vector<std::string> parts;
   for (const Counts::Kind& kind : counts.kinds) {
-    // What has a name stands before its instances, which are the last kind.
+    // Named objects come before their instances, which are the last kind.
     if (&kind == &counts.kinds.back()) {
       add_count(parts, scene.definitions.size(), "named object", "named objects");
     }
@@ -141,7 +141,7 @@ std::string describe(const SceneFile& file) {
 }
 
 Subcommand check_subcommand(CheckOptions& options) {
-  Subcommand check{"check", "Read a scene and say what is in it, or what is wrong with it", {}, {}, {}, {}, {}, {}};
+  Subcommand check{"check", "Read a scene and describe it, or report its errors", {}, {}, {}, {}, {}, {}};
   check.options = {{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
                    picture_option(options.picture, "course"),
                    picture_option(options.picture, "lenient")};

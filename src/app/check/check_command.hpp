@@ -1,4 +1,4 @@
-// `penumbra check`: reads a scene and says what is in it, or what is wrong with it.
+// `penumbra check`: reads a scene and describes it, or reports its errors.
 #pragma once
 
 #include <cstdio>
@@ -12,17 +12,17 @@ namespace penumbra {
 
 struct CheckOptions {
   std::string scene;
-  PictureOptions picture = {};  // of these, `course` and `lenient`
+  PictureOptions picture = {};  // only `course` and `lenient`
 };
 
-// The subcommand `check`; its options fill `options`, which has to outlive it.
+// The subcommand `check`; its options write to `options`, which must outlive it.
 Subcommand check_subcommand(CheckOptions& options);
 
-// Writes findings to `errors` and, if the scene is right, the summary to `out`.
-// Returns the exit code: 0, 65 if the scene is wrong, 66 if there is no such file.
+// Writes errors and warnings to `errors` and, if there is no error, the summary to `out`. Returns the exit code: 0, 65
+// if the scene has errors, 66 if the file does not exist.
 int check_command(const CheckOptions& options, std::FILE* out = stdout, std::FILE* errors = stderr);
 
-// The summary: files, pictures, and what each picture shows. Several lines, the last one ended.
+// The summary: files, pictures, and what each picture shows. Several lines, each ended by a newline.
 std::string describe(const SceneFile& file);
 
 }  // namespace penumbra

@@ -17,13 +17,13 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 bool knows_focal_length(const Camera& camera) { return camera.f_number > 0; }
 
-// F D / (D - F): what is at distance D before the lens has its image at this distance behind it.
+// F D / (D - F): how far behind the lens the image of a point at distance D in front of it lies.
 double image_distance(double focal_length, double distance) {
   return focal_length * distance / (distance - focal_length);
 }
 
-// The bounding boxes of objects at one time, in the space of the group that holds them. The box of what an instance
-// places is found once and carried along as a box.
+// The bounding boxes of objects at one time, in the space of the group that holds them. The box of a definition is
+// computed once; instances transform that box.
 class ObjectBounds {
  public:
   ObjectBounds(const Scene& scene, double time) : scene_(scene), time_(time), definitions_(scene.definitions.size()) {}
@@ -70,7 +70,7 @@ constexpr std::string_view indent = "             ";
 std::string describe_lens(const Camera& camera) {
   const double aperture = 2 * camera.lens_radius;
   if (!knows_focal_length(camera)) {
-    return fmt::format("F and n not known, aperture {:g}, focus P {:g}", aperture, camera.focus_distance);
+    return fmt::format("F and n unknown, aperture {:g}, focus P {:g}", aperture, camera.focus_distance);
   }
   return fmt::format("F {:g}, n {:g}, aperture F/n {:g}, focus P {:g}, image plane V_P {:g}", camera.focal_length,
                      camera.f_number, aperture, camera.focus_distance, image_plane_distance(camera));
@@ -115,7 +115,8 @@ std::string lens_table(const Scene& scene) {
   std::string text = fmt::format("  {:<10} {}\n", "lens", describe_lens(camera));
   const std::vector<Object>& objects = scene.root.objects;
   if (objects.empty()) return text;
-  text += fmt::format("{}D: along the view, of the centre of each object's bounding box at time {:g}\n", indent, time);
+  text += fmt::format("{}D: distance along the view of the centre of each object's bounding box at time {:g}\n", indent,
+                      time);
   text += knows_focal_length(camera)
               ? fmt::format("{}{:<20} {:>11} {:>11} {:>11} {:>11} {:>11}\n", indent, "object", "D", "V_D", "r", "C",
                             "r in pixels")
@@ -125,7 +126,7 @@ std::string lens_table(const Scene& scene) {
   for (std::size_t i = 0; i < std::min(objects.size(), most_rows); i++) {
     const std::string name = fmt::format("{} {}", i + 1, describe_shape(objects[i].shape));
     const Bounds bounds = bounds_at_time.of(objects[i]);
-    text += is_empty(bounds) ? fmt::format("{}{:<20} {:>11}  nothing in it\n", indent, name, "-")
+    text += is_empty(bounds) ? fmt::format("{}{:<20} {:>11}  empty\n", indent, name, "-")
                              : row(scene, name, dot((bounds.lo + bounds.hi) / 2 - camera.eye, view));
   }
   if (objects.size() > most_rows) text += fmt::format("{}... and {} more\n", indent, objects.size() - most_rows);

@@ -1,4 +1,4 @@
-// What the lens of a scene does to each of its objects, in numbers: the lecture's slide 48 as a table.
+// How the lens of a scene blurs each of its objects, in numbers: the lecture's slide 48 as a table.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace penumbra {
 
 // A point at distance D along the view, seen through a lens of focal length F and f-number n that is focused at P.
-// Where `n` is 0, focal length and f-number are not known, and what needs them is not a number.
+// If `n` is 0, focal length and f-number are unknown, and what depends on them is NaN.
 struct LensBlur {
   double image_distance;       // V_D = F D / (D - F)
   double radius;               // r = (lens radius) |D - P| / P, with lens radius F / (2n)
@@ -16,13 +16,13 @@ struct LensBlur {
   double radius_in_pixels;     // r S / (2 D tan(fov/2)), S the shorter side of the picture
 };
 
-// The blur at `distance`, which is greater than zero. The scene's camera has a lens.
+// The blur at `distance` > 0. The scene's camera must have a lens.
 LensBlur lens_blur(const Scene& scene, double distance);
 
-// The distance V_P = F P / (P - F) of the image plane behind a `camera_lens`.
+// V_P = F P / (P - F), the distance of the image plane behind the lens; NaN unless it is a `camera_lens`.
 double image_plane_distance(const Camera& camera);
 
-// The table, several lines each ended, as part of what `check` says of a picture; empty for a pinhole.
+// The table for the summary of a picture, several lines each ended by a newline; empty for a pinhole.
 std::string lens_table(const Scene& scene);
 
 }  // namespace penumbra

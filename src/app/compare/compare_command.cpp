@@ -1,4 +1,3 @@
-// See compare_command.hpp.
 #include "app/compare/compare_command.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +15,6 @@
 namespace penumbra {
 namespace {
 
-// The name of something, then its value, in two columns.
 void print_row(std::string_view name, std::string_view value) { fmt::print("{:<24}{}\n", name, value); }
 
 std::string percentage(std::size_t count, std::size_t total) {
@@ -85,7 +83,7 @@ int report_error(const CompareOptions& options, Verdict verdict, const std::stri
   return static_cast<int>(verdict);
 }
 
-// The size, and for a crop its place.
+// The size and, of a crop, its position.
 std::string describe(const ImageFile& file) {
   const PixelRect& w = file.window;
   std::string size = fmt::format("{} x {} pixels", w.width(), w.height());
@@ -101,8 +99,8 @@ void write_heatmap(const std::string& path, const Comparison& comparison) {
 }  // namespace
 
 Subcommand compare_subcommand(CompareOptions& options) {
-  Subcommand compare{"compare", "How different two pictures are", {}, {}, {}, {}, {}, {}};
-  compare.footer = "Exit codes: 0 same, 1 warning, 2 failed, 3 not the same size, 4 no such file.";
+  Subcommand compare{"compare", "Measure the difference between two pictures", {}, {}, {}, {}, {}, {}};
+  compare.footer = "Exit codes: 0 same, 1 warning, 2 failed, 3 different sizes, 4 no such file.";
   compare.options = {{"A", "FILE", "A picture, PNG or EXR", into(options.a), Times::once, true},
                      {"B", "FILE", "The picture to compare it with", into(options.b), Times::once, true}};
   const auto add_threshold = [&compare](const char* name, double& value, const char* help) {
@@ -115,11 +113,11 @@ Subcommand compare_subcommand(CompareOptions& options) {
                                }});
   };
   Thresholds& limits = options.thresholds;
-  add_threshold("--fail", limits.fail, "A pixel that differs by more fails");
-  add_threshold("--failpercent", limits.fail_percent, "Fail only if more than this percentage of the pixels does");
+  add_threshold("--fail", limits.fail, "A pixel fails if it differs by more");
+  add_threshold("--failpercent", limits.fail_percent, "Fail only if more than this percentage of the pixels do");
   add_threshold("--hardfail", limits.hard_fail, "Fail if any one pixel differs by more");
-  add_threshold("--warn", limits.warn, "A pixel that differs by more is worth a warning");
-  add_threshold("--warnpercent", limits.warn_percent, "Warn only if more than this percentage of the pixels is");
+  add_threshold("--warn", limits.warn, "A pixel counts for a warning if it differs by more");
+  add_threshold("--warnpercent", limits.warn_percent, "Warn only if more than this percentage of the pixels do");
   add_threshold("--hardwarn", limits.hard_warn, "Warn if any one pixel differs by more");
   compare.options.push_back(
       {"--heatmap", "FILE", "Write a false-colour picture of the differences [none]", into(options.heatmap)});
@@ -138,8 +136,8 @@ int compare_command(const CompareOptions& options) {
   }
   if (!can_compare(a, b)) {
     return report_error(options, Verdict::different_size,
-                        fmt::format("the pictures are not of the same size: `{}` has {}, `{}` has {}", options.a,
-                                    describe(a), options.b, describe(b)));
+                        fmt::format("the pictures differ in size: `{}` has {}, `{}` has {}", options.a, describe(a),
+                                    options.b, describe(b)));
   }
   const Comparison comparison = compare(a, b, options.thresholds);
   try {

@@ -1,5 +1,5 @@
-// `penumbra compare A B`: how far two pictures are apart, as a table or as JSON, with the exit codes of OpenImageIO's
-// idiff: 0 same, 1 warning, 2 failed, 3 not the same size, 4 no such file (or none that can be read).
+// `penumbra compare A B`: measures the difference between two pictures and prints a table or JSON, with the exit codes
+// of OpenImageIO's idiff: 0 same, 1 warning, 2 failed, 3 different sizes, 4 no such file (or unreadable).
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ struct CompareOptions {
   bool json = false;
 };
 
-// The subcommand `compare`; its options fill `options`, which has to outlive it.
+// The subcommand `compare`; its options write to `options`, which must outlive it.
 Subcommand compare_subcommand(CompareOptions& options);
 
-// Compares and reports to standard output; what is wrong goes to standard error. Returns the exit code, which is 73 or
-// 74 when the heat map cannot be written.
+// Prints the comparison to standard output, errors to standard error. Returns the exit code, which is 73 or 74 if the
+// heat map cannot be written.
 int compare_command(const CompareOptions& options);
 
 }  // namespace penumbra

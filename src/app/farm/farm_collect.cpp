@@ -49,7 +49,7 @@ class Collection {
   }
 
  private:
-  // Each frame whose parts are all there and whole.
+  // Writes each frame whose parts all exist and are whole; notes which units are missing or damaged.
   void write_what_is_whole() {
     missing_.clear();
     damaged_.clear();
@@ -105,36 +105,36 @@ class Collection {
     for (const PartFiles::Failure& failure : files.failures) set_aside(failure.name, failure.error.what());
     for (const Part& part : files.parts) {
       const std::string why = why_foreign(part.header(), units[part.name()], picture);
-      if (!why.empty()) set_aside(part.name(), fmt::format("`{}` is not of this job: {}", part.name(), why));
+      if (!why.empty()) set_aside(part.name(), fmt::format("`{}` does not belong to this job: {}", part.name(), why));
     }
     if (!whole) return false;
     if (const auto problems = problems_of(files.parts); !problems.empty()) {
       for (const std::string& sentence : problems) report(sentence);
-      throw FileError(EX_DATAERR, "remove the parts that are not of this job, and collect again");
+      throw FileError(EX_DATAERR, "remove the parts that do not belong to this job, and collect again");
     }
     write_merged(files.parts, outputs, false);
     return true;
   }
 
-  // Empty if it is a part that was asked for.
+  // Why the part does not belong to the job; empty if it does.
   std::string why_foreign(const PartHeader& header, int unit, int picture) const {
     if (header.key.version != job_.version) {
-      return fmt::format("penumbra {} wrote it, and {} the job", header.key.version, job_.version);
+      return fmt::format("penumbra {} wrote it, but {} the job", header.key.version, job_.version);
     }
-    if (to_hex(header.key.scene) != job_.scene_hash) return "its scene, or a file that this reads, is not the job's";
+    if (to_hex(header.key.scene) != job_.scene_hash) return "its scene, or a file that it reads, is not the job's";
     const Shard shard{unit % job_.shards, job_.shards};
     bool is_it = header.shard == shard && header.key.picture == picture;
     if (job_.frames) is_it = is_it && value_of("frame", header.key) == std::to_string(job_.frame_of(unit));
-    if (!is_it) return "it is another part than its name says";
+    if (!is_it) return "it is not the part that its name says";
     return {};
   }
 
   void tell_missing() const {
-    report(fmt::format("of {} parts, from 0, {} not there: {}", job_.units(),
+    report(fmt::format("of {} parts, numbered from 0, {} missing: {}", job_.units(),
                        missing_.size() == 1 ? "one is" : fmt::format("{} are", missing_.size()), ranges(missing_)));
   }
 
-  // The tasks of missing units that nobody works on any more. Where Slurm does not answer, nobody is supposed to.
+  // The tasks of missing units that Slurm no longer has; all of them if Slurm does not answer.
   std::set<int> lost_tasks() const {
     std::set<int> tasks;
     for (const int unit : missing_) {
@@ -144,10 +144,10 @@ class Collection {
     return tasks;
   }
 
-  // Everything that is missing is still in the hands of Slurm.
+  // Slurm still has the tasks of all missing units.
   int wait(const FarmCollectOptions& options) const {
     if (!options.resubmit) {
-      report("Slurm is still at work on them; the merge that waits for them writes the picture");
+      report("Slurm still has their tasks; the merge that waits for them writes the picture");
       return EX_TEMPFAIL;
     }
     fmt::print("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids)));
@@ -166,18 +166,18 @@ class Collection {
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {
-      report(fmt::format("there is no scene file `{}` any more", job_.scene));
+      report(fmt::format("the scene file `{}` no longer exists", job_.scene));
       return EX_NOINPUT;
     }
     if (to_hex(file.hash) == job_.scene_hash) return 0;
     report(
-        fmt::format("`{}`, or a file that it reads, has changed since the job was submitted: bring it back, or "
-                    "remove the job folder and submit anew",
+        fmt::format("`{}`, or a file that it reads, has changed since the job was submitted: restore it, or "
+                    "remove the job folder and submit again",
                     job_.scene));
     return EX_DATAERR;
   }
 
-  // They would pass for done.
+  // Otherwise they would count as done.
   void remove_damaged() const {
     for (const std::string& name : damaged_) fs::remove(name);
   }
@@ -186,7 +186,7 @@ class Collection {
     if (!queue_) throw SlurmError(silence_);
     if (state_.resubmissions >= most) {
       report(
-          fmt::format("they were submitted again {} times: see the logs in `{}`; `penumbra farm collect` with "
+          fmt::format("they were resubmitted {} times: see the logs in `{}`; `penumbra farm collect` with "
                       "--resubmit or --render finishes the job",
                       state_.resubmissions, (folder_.path() / "logs").string()));
       return EX_DATAERR;
@@ -198,7 +198,7 @@ class Collection {
     std::set<std::string> ids = queue_->ids;
     ids.insert(id);
     const std::string merge_id = submit(merge_command_after(folder_, ids));
-    fmt::print("submitted again: {} renders tasks {}, {} puts together\n", id, ranges(tasks), merge_id);
+    fmt::print("resubmitted: {} renders tasks {}, {} merges\n", id, ranges(tasks), merge_id);
     return 0;
   }
 

@@ -5,8 +5,8 @@
 
 namespace penumbra {
 
-// Writes the pictures of all frames whose parts are there, and sees to the others as the options say. Throws FileError
-// and SlurmError.
+// Writes the pictures of all frames whose parts exist, and deals with the other frames as the options say. Returns the
+// exit code. Throws FileError and SlurmError.
 int farm_collect(const JobFolder& folder, const FarmCollectOptions& options);
 
 }  // namespace penumbra

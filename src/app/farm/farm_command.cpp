@@ -46,13 +46,13 @@ std::string take_minutes(FarmSubmitOptions& options, std::string_view text) {
 std::string take_partition(FarmSubmitOptions& options, std::string_view name) {
   const auto is_good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.,+", c); };
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_good)) {
-    return fmt::format("there can be no partition `{}`", name);
+    return fmt::format("`{}` cannot be the name of a partition", name);
   }
   options.partition = name;
   return {};
 }
 
-// The same option, which also keeps its words as they were given, under the name that `render` knows.
+// The same option, which also records its words as given, under its name in `render`.
 CommandOption keeping_words(CommandOption option, const std::string& name, std::vector<std::string>& words) {
   const bool is_flag = option.metavar.empty(), follows_equals = option.times == Times::equals_optional;
   option.take = [take = std::move(option.take), name, is_flag, follows_equals, &words](std::string_view text) {
@@ -63,7 +63,7 @@ CommandOption keeping_words(CommandOption option, const std::string& name, std::
   return option;
 }
 
-// `submit` takes what `render` takes, but for what every shard is told in a way of its own.
+// `submit` takes the options of `render`, except those that the shard script sets or that do not apply to shards.
 Subcommand submit_subcommand(FarmSubmitOptions& options) {
   constexpr std::array<std::string_view, 14> own = {
       "--checkpoint", "--every", "--resume", "--time-limit",  "--shard", "--scene-hash", "--progress",
@@ -87,11 +87,11 @@ Subcommand submit_subcommand(FarmSubmitOptions& options) {
     return [&options, set](std::string_view text) { return set(options, text); };
   };
   submit.options.push_back({"--shards", "N|auto",
-                            "Pieces of each frame, or auto: four for each task that can run at once [auto]",
+                            "Shards of each frame, or auto: four for each task that can run at once [auto]",
                             take(take_shards)});
   submit.options.push_back({"--partition", "P", "Slurm's partition [Slurm's default]", take(take_partition)});
   submit.options.push_back({"--time", "T",
-                            "Slurm's time limit of a task, at whose end it saves and resumes in another turn: 30m, 2h "
+                            "Slurm's time limit of a task, which saves before it and resumes on its next turn: 30m, 2h "
                             "[Slurm's default]",
                             take(take_minutes)});
   submit.options.push_back(
@@ -101,9 +101,9 @@ Subcommand submit_subcommand(FarmSubmitOptions& options) {
   return submit;
 }
 
-// Runs it and says what Slurm or a file does not allow. The exit codes: 0; 64; 65 where the scene or a part is wrong or
-// parts are missing; 66 where there is no such scene or job; 69 where Slurm does not answer; 73, 74; 75 where the tasks
-// are still at work.
+// Wraps `run` so that failures of Slurm and of files become messages and exit codes. The exit codes: 0; 64; 65 if the
+// scene or a part is wrong or parts are missing; 66 if there is no such scene or job; 69 if Slurm does not answer; 73,
+// 74; 75 if tasks are still running.
 template <class Run>
 std::function<int()> guarded(Run run) {
   return [run] {
@@ -121,7 +121,7 @@ std::function<int()> guarded(Run run) {
 
 constexpr const char* job_help = "The job folder, the picture it makes, or its scene";
 
-// The folder that a user names by its own name, by the picture's, or by that of the scene where that has one job only.
+// Finds a job by its folder, by its picture, or by its scene if that has only one job.
 JobFolder find_job(const std::string& name) {
   const auto has_job = [](const fs::path& folder) {
     std::error_code error;
@@ -173,21 +173,21 @@ Subcommand farm_subcommand(FarmOptions& options) {
   Subcommand submit = submit_subcommand(options.submit);
   submit.run = guarded([&options] { return farm_submit(options.submit); });
 
-  Subcommand status{"status", "Tell how far a job is", {}, {}, {}, {}, {}, {}};
+  Subcommand status{"status", "Show the progress of a job", {}, {}, {}, {}, {}, {}};
   status.options = {{"JOB", "JOB", job_help, into(options.status.job), Times::once, true},
-                    {"--json", "", "As JSON [off]", into(options.status.json)}};
+                    {"--json", "", "Print JSON [off]", into(options.status.json)}};
   status.run = guarded([&options] { return farm_status(options.status); });
 
   FarmCollectOptions& collected = options.collect;
-  Subcommand collect{"collect", "Put together what a job has rendered, finish what is not", {}, {}, {}, {}, {}, {}};
+  Subcommand collect{"collect", "Merge what a job has rendered, and finish the rest", {}, {}, {}, {}, {}, {}};
   collect.options = {{"JOB", "JOB", job_help, into(collected.job), Times::once, true},
-                     {"--resubmit", "N", "Submit what is missing again, unless that was done N times already [no]",
+                     {"--resubmit", "N", "Resubmit what is missing, unless that was done N times already [no]",
                       [&collected](std::string_view text) {
                         collected.resubmit = always;
                         return text.empty() ? std::string() : parse_whole(text, 0, always, collected.resubmit);
                       },
                       Times::value_optional},
-                     {"--render", "", "Render here what is missing [off]", into(collected.render)}};
+                     {"--render", "", "Render the missing parts on this machine [off]", into(collected.render)}};
   collect.check = [&collected] {
     return std::string(collected.render && collected.resubmit ? "--render: leave out --resubmit" : "");
   };

@@ -1,4 +1,4 @@
-// What `penumbra farm` can be told on its command line.
+// The command-line options of `penumbra farm`.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 namespace penumbra {
 
 struct FarmSubmitOptions {
-  RenderOptions render;            // checked when they are submitted,
-  std::vector<std::string> words;  // and handed on to each shard as they were given
-  std::optional<int> shards;       // none: as many as are good
+  RenderOptions render;            // checked at submission,
+  std::vector<std::string> words;  // and passed to each shard as given
+  std::optional<int> shards;       // none: a good number is chosen
   std::string partition, folder;
   std::optional<int> minutes;
   bool dry_run = false;
@@ -20,8 +20,8 @@ struct FarmSubmitOptions {
 
 struct FarmCollectOptions {
   std::string job;
-  std::optional<int> resubmit;  // submit what is missing again, unless that was done so many times
-  bool render = false;          // render what is missing here
+  std::optional<int> resubmit;  // resubmit what is missing, unless that was done this many times
+  bool render = false;          // render the missing parts on this machine
 };
 
 struct FarmStatusOptions {

@@ -27,12 +27,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where Slurm does not say how many processors it has.
+// If Slurm does not say how many processors it has.
 constexpr int usual_shards = 24;
-constexpr int shards_for_each_task = 4;  // one that is lost or late is then a small matter
+constexpr int shards_for_each_task = 4;  // so that losing or awaiting one costs little
 constexpr int tiles_worth_a_shard = 64;
 
-// A name that no other job has, of letters that mean nothing to Slurm.
+// A unique name, of characters that have no meaning for Slurm.
 std::string name_of_job(const fs::path& output, const fs::path& folder) {
   std::string name = output.stem().string().substr(0, 24);
   std::replace_if(
@@ -42,7 +42,7 @@ std::string name_of_job(const fs::path& output, const fs::path& folder) {
   return fmt::format("{}-{:08x}", name, checksum(std::as_bytes(std::span(origin)), 0) >> 32);
 }
 
-// Of the picture with the fewest.
+// The number of tiles of the picture that has the fewest.
 int tile_count(const SceneFile& file, const RenderOptions& options) {
   int fewest = most_units;
   for (const Action& action : file.actions) {
@@ -63,30 +63,30 @@ int good_number_of_shards(int frames, int tiles, const Job& job) {
   return std::clamp(shards, 1, std::max(1, std::min(tiles / tiles_worth_a_shard, most_tasks)));
 }
 
-// Nothing that anyone would miss is lost if a job is written here.
+// Throws FileError unless a job can be written into the folder without losing anything of value.
 void require_free(const JobFolder& folder) {
   const std::string name = folder.path().string();
   std::error_code error;
   if (!fs::exists(folder.path(), error)) return;
   if (!fs::exists(folder.manifest(), error)) {
     if (fs::is_directory(folder.path(), error) && fs::is_empty(folder.path(), error)) return;
-    throw FileError(EX_CANTCREAT, fmt::format("`{}` is no job folder; name another one with --folder", name));
+    throw FileError(EX_CANTCREAT, fmt::format("`{}` is not a job folder; name another one with --folder", name));
   }
   if (folder.read_state().submitted || !fs::is_empty(folder.parts(), error)) {
     throw FileError(EX_CANTCREAT,
                     fmt::format("`{}` is the folder of a job that has begun: see `penumbra farm status`; remove the "
-                                "folder to begin anew, or name another one with --folder",
+                                "folder to start over, or name another one with --folder",
                                 name));
   }
 }
 
-// What the scene is at each frame, as far as a job has to know it.
+// What a job needs to know of the scene at each frame.
 struct Frames {
-  std::vector<std::vector<std::vector<fs::path>>> outputs;  // of each, of each picture
+  std::vector<std::vector<std::vector<fs::path>>> outputs;  // [frame][picture][file]
   SceneFile first;
 };
 
-// Says what is wrong with the scene; `exit_code` is not 0 then.
+// Reports errors of the scene; `exit_code` is then not 0.
 Frames read_frames(const RenderOptions& options, int& exit_code) {
   Frames result;
   SceneFrames scenes(options, true);
@@ -126,7 +126,7 @@ Job job_for(const FarmSubmitOptions& options, const Frames& frames, const JobFol
   const int tiles = tile_count(frames.first, options.render);
   job.shards = options.shards.value_or(good_number_of_shards(static_cast<int>(job.outputs.size()), tiles, job));
   if (job.shards > tiles) {
-    throw FileError(EX_USAGE, fmt::format("--shards {}: the picture has {} tiles only", job.shards, tiles));
+    throw FileError(EX_USAGE, fmt::format("--shards {}: the picture has only {} tiles", job.shards, tiles));
   }
   if (job.shards > most_units / static_cast<int>(job.outputs.size())) {
     throw FileError(EX_USAGE, fmt::format("--shards {}: with {} frames, that is more than {} parts", job.shards,
@@ -136,7 +136,7 @@ Job job_for(const FarmSubmitOptions& options, const Frames& frames, const JobFol
 }
 
 void tell_commands(const JobFolder& folder, const std::vector<std::string>& shards) {
-  fmt::print("nothing is submitted; this would do it:\n  {}\n  {}\n", shell_words(shards),
+  fmt::print("nothing was submitted; these commands would do it:\n  {}\n  {}\n", shell_words(shards),
              shell_words(merge_command_after(folder, {"ID"})));
 }
 
@@ -166,8 +166,8 @@ int farm_submit(const FarmSubmitOptions& options) {
   state.submitted = true;
   folder.write(state);
   const std::string merge_id = submit(merge_command_after(folder, {id}));
-  fmt::print("submitted: {} renders, {} puts together; `penumbra farm status {}` tells how far they are\n", id,
-             merge_id, shell_word(place));
+  fmt::print("submitted: {} renders, {} merges; `penumbra farm status {}` shows the progress\n", id, merge_id,
+             shell_word(place));
   return 0;
 }
 

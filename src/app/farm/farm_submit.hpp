@@ -4,7 +4,7 @@
 
 namespace penumbra {
 
-// Throws FileError and SlurmError.
+// Writes the job folder and submits its scripts. Returns the exit code. Throws FileError and SlurmError.
 int farm_submit(const FarmSubmitOptions& options);
 
 }  // namespace penumbra

@@ -34,7 +34,7 @@ int merge_parts(const MergeOptions& options) {
 }  // namespace
 
 Subcommand merge_subcommand(MergeOptions& options) {
-  Subcommand merge{"merge", "Put the parts together that `render --shard` wrote", {}, {}, {}, {}, {}, {}};
+  Subcommand merge{"merge", "Merge the parts that `render --shard` wrote", {}, {}, {}, {}, {}, {}};
   merge.options = {{"PART", "FILE", "The parts of one picture, in any order", into(options.parts), Times::many, true},
                    {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated",
                     into(options.outputs), Times::repeated, true},

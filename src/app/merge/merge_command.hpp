@@ -1,5 +1,5 @@
-// `penumbra merge`: the parts that `render --shard` wrote, in any order, become the picture that a single render would
-// have written, to the byte.
+// `penumbra merge`: turns the parts that `render --shard` wrote, in any order, into the picture that a single render
+// would have written, byte for byte.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct MergeOptions {
   bool quiet = false;
 };
 
-// The subcommand `merge`; its options fill `options`, which has to outlive it.
+// The subcommand `merge`; its options write to `options`, which must outlive it.
 Subcommand merge_subcommand(MergeOptions& options);
 
-// Returns the exit code: 0, 65 where parts are missing, damaged, there twice or of other pictures, 66 where there is no
-// such file, 73, 74. Nothing is written unless it is 0, 73 or 74.
+// Returns the exit code: 0, 65 if parts are missing, damaged, duplicated or from different pictures, 66 if a file does
+// not exist, 73, 74. Nothing is written unless it is 0, 73 or 74.
 int merge_command(const MergeOptions& options);
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// The file ends with 8 bytes that tell where the sums begin, and 8 that tell what it is.
+// The file ends with 8 bytes that hold the offset of the sums, and 8 that identify it as a part.
 #include "app/merge/part_file.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view ending = "PENUPART";
 constexpr std::size_t trailer_size = sizeof(std::uint64_t) + ending.size();
 constexpr const char* key = "part-of-picture";
-constexpr std::size_t longest_exr_header = 4096;  // of ours
+constexpr std::size_t longest_exr_header = 4096;  // that a part has
 
 ImageFile preview(const PartHeader& header, const Film& film) {
   const TileGrid grid = header.tiles();
@@ -60,11 +60,11 @@ std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const 
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const bool began_as_part = is_exr(bytes) && text.substr(0, longest_exr_header).find(key) != text.npos;
   if (!began_as_part) fail("is not a part of a picture, as `penumbra render --shard` writes them");
-  if (!ends_as_part(bytes)) fail("is a torn part of a picture: its end is missing");
+  if (!ends_as_part(bytes)) fail("is a truncated part of a picture: its end is missing");
   std::uint64_t start = 0;
   ArchiveReader trailer(bytes.last(trailer_size));
   trailer(start);
-  if (start > bytes.size() - trailer_size) fail("is a damaged part of a picture: it does not tell where its tiles are");
+  if (start > bytes.size() - trailer_size) fail("is a damaged part of a picture: the offset of its tiles is wrong");
   const auto at = static_cast<std::size_t>(start);
   return bytes.subspan(at, bytes.size() - trailer_size - at);
 }

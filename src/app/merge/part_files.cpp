@@ -38,7 +38,7 @@ void write_merged(const std::vector<Part>& parts, const std::vector<std::string>
     write_image(output, image, {development.bits, development.rounding});
     force_folder_of(output);  // its parts may be removed now
     if (!quiet) {
-      fmt::print(stderr, "{}: {}x{} pixels, of {} parts\n", output, header.crop.width(), header.crop.height(),
+      fmt::print(stderr, "{}: {}x{} pixels, from {} parts\n", output, header.crop.width(), header.crop.height(),
                  parts.size());
     }
   }

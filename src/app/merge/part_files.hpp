@@ -1,4 +1,4 @@
-// The parts of a picture, read from their files, and the picture that they are together.
+// Reads the parts of a picture from their files, and writes the picture that they make up.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@ struct PartFiles {
     FileError error;
   };
 
-  std::vector<std::vector<std::byte>> bytes;  // which the parts point into
-  std::vector<Part> parts;                    // those that are whole
+  std::vector<std::vector<std::byte>> bytes;  // the parts point into them
+  std::vector<Part> parts;                    // the intact ones
   std::vector<Failure> failures;              // the others
 };
 
 PartFiles read_parts(const std::vector<std::string>& names);
 
-// Writes the picture of parts about which there is no problem. Throws FileError.
+// Merges parts without problems_of() and writes their picture. Throws FileError.
 void write_merged(const std::vector<Part>& parts, const std::vector<std::string>& outputs, bool quiet);
 
 }  // namespace penumbra

@@ -65,7 +65,7 @@ void describe(CLI::App& app, const Subcommand& command) {
   }
 }
 
-// The sentence about a word where a subcommand should be; empty if that is not what is wrong.
+// The message about an unknown word in place of a subcommand; empty if that is not the error.
 std::string about_unknown_command(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();

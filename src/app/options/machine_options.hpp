@@ -1,4 +1,4 @@
-// Options of how to render and not of what: they never change a picture.
+// Options of how to render, not what: they never change a picture.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@ namespace penumbra {
 struct Kernel;
 
 struct MachineOptions {
-  int threads = 0;                 // 0: as many as there are
+  int threads = 0;                 // 0: all processors this process may use
   const Kernel* kernel = nullptr;  // null: the widest that can run here
 };
 
 // --threads and --isa.
 std::vector<CommandOption> machine_options(MachineOptions& options);
 
-// With what was left open filled in. Null where no instruction set of the program can run here: then nothing can be
-// rendered, and a message says so.
+// The kernel and the number of threads, with defaults filled in. If this machine can run no instruction set of the
+// program, the kernel is null and an error is printed.
 const Kernel* kernel_of(const MachineOptions& options);
 int threads_of(const MachineOptions& options);
 

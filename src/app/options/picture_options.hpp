@@ -9,11 +9,11 @@
 
 namespace penumbra {
 
-// Those that the window knows too, and all of them.
+// The options that the window has too, and all options.
 std::vector<CommandOption> view_picture_options(PictureOptions& options);
 std::vector<CommandOption> render_picture_options(PictureOptions& options);
 
-// One of them, by its name without dashes.
+// One option, by its name without dashes.
 CommandOption picture_option(PictureOptions& options, std::string_view name);
 
 }  // namespace penumbra

@@ -43,12 +43,12 @@ std::string take_frames_per_second(RenderOptions& options, std::string_view text
 
 std::string check_frames(const RenderOptions& options) {
   if (!options.frames) {
-    if (options.frame) return "--frame: it is one of --frames";
-    return options.video.empty() ? "" : "--video: it is made of --frames";
+    if (options.frame) return "--frame: it needs --frames";
+    return options.video.empty() ? "" : "--video: it needs --frames";
   }
   const AnimationRange& range = *options.frames;
   if (options.frame && (*options.frame < range.first || *options.frame > range.last)) {
-    return fmt::format("--frame: {} is none of the frames {}-{}", *options.frame, range.first, range.last);
+    return fmt::format("--frame: {} is not one of the frames {}-{}", *options.frame, range.first, range.last);
   }
   if (options.video.empty()) return {};
   if (std::filesystem::path(options.video).extension() != ".mp4") {
@@ -89,10 +89,10 @@ std::string check_outputs(const RenderOptions& options) {
 
 std::string check_noise(const RenderOptions& options) {
   if (options.noise && options.rays && *options.rays < static_cast<int>(fewest_adaptive_rays)) {
-    return fmt::format("--rays: with --noise it is the most rays a pixel gets, {} at least", fewest_adaptive_rays);
+    return fmt::format("--rays: with --noise it is the most rays a pixel gets, at least {}", fewest_adaptive_rays);
   }
   if (options.noise && options.regular_lights) {
-    return "--sampler-light: a regular set is made for one number of rays; leave out --noise";
+    return "--sampler-light: a regular set needs a fixed number of rays; leave out --noise";
   }
   return {};
 }
@@ -118,16 +118,16 @@ Subcommand render_subcommand(RenderOptions& options) {
         Times::repeated}});
   add(render_picture_options(options));
   add({{"--debug-pixel", "x,y,sample",
-        "Render nothing; print all rays of one sample of one pixel, each with what it hit and what came back [off]",
+        "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",
         [&options](std::string_view text) { return take_debug_pixel(options, text); }}});
   add(machine_options(options.machine));
   add({{"--progress", "STYLE", "How to show progress: auto, bar, plain, json, none [auto]",
         [&options](std::string_view text) { return take_progress(options, text); }}});
   add(session_options(options.session));
-  add({{"--video", "FILE.mp4", "All frames as a video too, .mp4, by means of ffmpeg [none]", into(options.video)},
-       {"--fps", "N", "Frames of the video in a second [24]",
+  add({{"--video", "FILE.mp4", "Also write all frames as a video, .mp4, with ffmpeg [none]", into(options.video)},
+       {"--fps", "N", "Frames per second of the video [24]",
         [&options](std::string_view text) { return take_frames_per_second(options, text); }},
-       {"--stats", "FILE.json", "Write what the render did, as JSON [no]", into(options.stats)},
+       {"--stats", "FILE.json", "Write statistics of the render as JSON [no]", into(options.stats)},
        {"--quiet", "", "Print nothing but errors [off]", into(options.quiet)}});
   render.check = [&options] { return check(options); };
   render.run = [&options] { return render_command(options); };

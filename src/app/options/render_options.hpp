@@ -1,4 +1,4 @@
-// What `penumbra render` can be told on its command line.
+// The command-line options of `penumbra render`.
 #pragma once
 
 #include <optional>
@@ -25,14 +25,14 @@ struct RenderOptions : PictureOptions {
   std::optional<DebugPixel> debug_pixel;  // print its rays instead of rendering
   MachineOptions machine;
   RenderSessionOptions session;
-  std::string video;  // all frames go to this file as a video too; empty: none
+  std::string video;  // the file for a video of all frames; empty: none
   double frames_per_second = 24;
   std::string stats;  // a JSON file; empty: none
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
 };
 
-// The subcommand `render`; its options fill `options`, which has to outlive it.
+// The subcommand `render`; its options write to `options`, which must outlive it.
 Subcommand render_subcommand(RenderOptions& options);
 
 }  // namespace penumbra

@@ -50,15 +50,15 @@ std::string take_shard(std::optional<Shard>& result, std::string_view text) {
 
 std::vector<CommandOption> session_options(RenderSessionOptions& options) {
   return {
-      {"--checkpoint", "FILE", "Save here, from time to time, what is rendered so far [no]", into(options.checkpoint)},
+      {"--checkpoint", "FILE", "Save the progress of the render here at regular times [no]", into(options.checkpoint)},
       {"--every", "TIME", "Time between two checkpoints: 30s, 5m, 2h [30s]", into_seconds(options.every)},
       {"--resume", "", "Resume from the checkpoint, if there is one; skip frames that are finished [off]",
        into(options.resume)},
-      {"--time-limit", "TIME", "After this time, write the picture and the checkpoint as they are, exit code 75 [none]",
+      {"--time-limit", "TIME", "After this time, write picture and checkpoint as they stand, exit code 75 [none]",
        into_seconds(options.time_limit)},
       {"--shard", "i/n", "Render tiles i of n, i from 0, to -o PART.exr, for `penumbra merge` [all]",
        [&options](std::string_view text) { return take_shard(options.shard, text); }},
-      {"--scene-hash", "HASH", "Refuse to render if the scene, or a file it reads, has another hash than this [any]",
+      {"--scene-hash", "HASH", "Refuse to render unless the scene, with the files it reads, has this hash [any]",
        into(options.scene_hash)}};
 }
 

@@ -1,4 +1,4 @@
-// The options of renders that take longer than one session or more than one machine.
+// Options for renders that take more than one session or more than one machine.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ struct RenderSessionOptions {
   bool resume = false;               // from the checkpoint, if there is one
   std::optional<double> time_limit;  // seconds
   std::optional<Shard> shard;
-  std::string scene_hash;  // what the scene's files must have, in hexadecimal digits; empty: anything
-  bool animation = false;  // finished frames remain, so it can be resumed without a checkpoint
+  std::string scene_hash;  // required of the scene's files, in hexadecimal digits; empty: any
+  bool animation = false;  // finished frames are kept, so it can be resumed without a checkpoint
 
-  // Whether there is anything to do when the render is interrupted.
+  // Whether an interrupted render has something to save, to write or to resume.
   bool can_be_interrupted() const { return !checkpoint.empty() || time_limit.has_value() || animation; }
 };
 

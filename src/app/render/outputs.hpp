@@ -1,4 +1,4 @@
-// Which picture of a scene file goes to which files.
+// The files that each picture of a scene file is written to.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace penumbra {
 
-// For each picture among the actions, in their order, the files to write. With `outputs`, every picture goes to each of
-// them, picture k of several under OUT-k.ext; without, `write` goes to the file it names and `render` to SCENE.png,
-// then SCENE-2.png and so on, in the working directory.
+// The files to write for each picture among the actions, in their order. With `outputs`, every picture goes to each of
+// these, picture k of several as OUT-k.ext; without, `write` goes to the file it names and `render` to SCENE.png, then
+// SCENE-2.png and so on, in the working directory.
 std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<Action>& actions,
                                                              const std::filesystem::path& scene,
                                                              const std::vector<std::string>& outputs);
@@ -20,7 +20,7 @@ std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<A
 // OUT.0007.ext for OUT.ext.
 std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame);
 
-// How many digits the numbers of frames have: as many as the last one of the animation, and four at least.
+// The number of digits of frame numbers: as many as the last frame of the animation has, but at least four.
 int frame_digits(int last_frame);
 
 }  // namespace penumbra

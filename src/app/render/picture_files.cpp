@@ -54,7 +54,7 @@ void encode_files(const PictureJob& job, Film film, bool finished, bool is_part,
                   const std::function<void(const std::filesystem::path&, std::span<const std::byte>)>& write) {
   Development development = job.development;
   if (is_part) {
-    if (!finished) return;  // half a part is of no use to anyone: the checkpoint has what there is
+    if (!finished) return;  // an unfinished part is useless: the checkpoint has the progress
     const PartHeader header{job.key,         job.plan.shard, job.plan.crop,
                             job.plan.layers, film.counts(),  to_bytes(development)};
     return write(files.front(), encode_part_file(header, film));

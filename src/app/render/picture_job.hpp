@@ -1,4 +1,4 @@
-// One picture of a scene file, ready to be rendered: what it is made of, and what that is called.
+// One picture of a scene file, ready to be rendered, and the key that identifies it.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@
 namespace penumbra {
 
 struct PictureJob {
-  Scene scene;  // with the options
+  Scene scene;  // with the options applied
   Plan plan;
   Development development;
   PictureKey key;
 };
 
-// Picture `number` of the file, from 1, with the options of the current frame.
+// Picture `number` of the file, counted from 1, with the options of the current frame.
 PictureJob picture_job(const RenderOptions& options, const SceneFile& file, const Picture& picture, int number);
 
-// The render of a job whose scene was made into `frame`, which has to outlive it, as has the kernel.
+// The render of a job whose scene was compiled into `frame`. Frame and kernel must outlive it.
 std::unique_ptr<ResumableRender> render_of(const PictureJob& job, const RenderOptions& options, const Frame& frame,
                                            const Kernel& kernel);
 

@@ -1,4 +1,4 @@
-// Shows on standard error how far a render is, from a thread of its own, until it goes out of scope.
+// Shows the progress of a render on standard error, from its own thread, until it goes out of scope.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace penumbra {
 
 class Progress {
  public:
-  // `total` is in pixel samples, as in RenderState, and counts until the state expects another number. Style
+  // `total` is in pixel samples, as in RenderState, and is used until the state expects another number. Style
   // `automatic` is a bar on a terminal, plain lines elsewhere.
   Progress(ProgressStyle style, const RenderState& state, std::uint64_t total);
   ~Progress();
@@ -36,7 +36,7 @@ class Progress {
   std::jthread thread_;
 };
 
-// Seconds as a person says them: "0.24 s", "75 s", "12 min", "3 h 05 min".
+// A duration for people: "0.24 s", "75 s", "12 min", "3 h 05 min".
 std::string duration_text(double seconds);
 
 }  // namespace penumbra

@@ -31,7 +31,7 @@ int check_before_rendering(const RenderOptions& options, const std::vector<Actio
     }
     if (const Pattern pattern = settings.pattern; options.noise && needs_count(pattern)) {
       fmt::print(stderr,
-                 "penumbra: --noise needs a sample pattern that can go on, and `{}` is made for one number of rays; "
+                 "penumbra: --noise needs a sample pattern that can be extended, and `{}` has a fixed number of rays; "
                  "use --sampler {}\n",
                  pattern_names[static_cast<int>(pattern)], pattern_names[static_cast<int>(default_pattern)]);
       return EX_USAGE;
@@ -52,7 +52,7 @@ int check_before_rendering(const RenderOptions& options, const std::vector<Actio
     }
   }
   if (number > 1 && !options.video.empty()) {
-    fmt::print(stderr, "penumbra: a video is made of one picture a frame, and this scene has {}\n", number);
+    fmt::print(stderr, "penumbra: a video needs one picture per frame, and this scene has {}\n", number);
     return EX_USAGE;
   }
   return 0;

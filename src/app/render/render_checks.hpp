@@ -1,4 +1,4 @@
-// What would make the work of rendering useless, found before it starts.
+// Finds, before rendering starts, what would make the work useless.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace penumbra {
 
-// Tells what is wrong and returns the exit code for it; 0 if nothing is. `files` are those of each picture.
+// Reports what is wrong and returns its exit code; 0 if nothing is. `files` are the output files of each picture.
 int check_before_rendering(const RenderOptions& options, const std::vector<Action>& actions,
                            const std::vector<std::vector<std::filesystem::path>>& files);
 

@@ -28,14 +28,14 @@ using Files = std::vector<std::filesystem::path>;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// Of all threads since the program started. Where others use the processor too, this says more than time by the clock.
+// The CPU time of all threads since the program started; on a shared machine it says more than wall-clock time.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-// Whether checkpoints, finished frames or a farm have to tell by the hash whether the files are the same.
+// Whether the hash has to show later that a checkpoint, a part or a finished frame is of the same scene files.
 bool needs_hash(const RenderOptions& options) {
   return !options.session.checkpoint.empty() || options.session.shard || options.frames;
 }
@@ -44,7 +44,7 @@ std::string frames_in_words(const PictureOptions& options) {
   return options.frames ? fmt::format("{}-{}", options.frames->first, options.frames->last) : not_given;
 }
 
-// All pictures of a command, frame by frame.
+// Renders all pictures of a command, frame by frame.
 class RenderRun {
  public:
   RenderRun(const RenderOptions& options, const Kernel& kernel)
@@ -80,7 +80,7 @@ class RenderRun {
   }
 
  private:
-  // Does what the scene says, in its order. False if it was interrupted.
+  // Carries out the actions of the scene in their order. Returns false if interrupted.
   bool render_file() {
     int number = 0;
     Clock::time_point timer = start_;
@@ -103,7 +103,7 @@ class RenderRun {
     return true;
   }
 
-  // Whether an earlier run has finished the picture. Of a frame, its files tell it.
+  // Whether an earlier run has finished the picture; for a frame, judging by its files.
   bool is_finished(const PictureJob& job, const Files& files) const {
     const auto exists = [](const auto& file) {
       std::error_code error;
@@ -119,12 +119,12 @@ class RenderRun {
     if (!asked_.quiet && (finished || exists(files.front()))) {
       fmt::print(
           stderr, "{}: {}\n", files.front().string(),
-          finished ? "finished before" : "not the finished frame of this scene and these options: it is rendered");
+          finished ? "already finished" : "not the finished frame of this scene and these options: rendering it");
     }
     return finished;
   }
 
-  // False if it was interrupted: the files then show the picture as it stands.
+  // Returns false if interrupted: the files then show the picture as it stands.
   bool render_picture(const PictureJob& job, const Files& files) {
     Clock::time_point start = Clock::now();
     const Frame frame = make_frame(job.scene, job.plan.threads);
@@ -147,7 +147,7 @@ class RenderRun {
     }
     add_to_stats(frame, job.plan);
     if (render->unfinished_pixels() > 0 && !asked_.quiet) {
-      fmt::print(stderr, "penumbra: {} of {} pixels got the most rays, {}, and still have more noise than {}\n",
+      fmt::print(stderr, "penumbra: {} of {} pixels got the maximum of {} rays and still have more noise than {}\n",
                  render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise);
     }
 
@@ -168,7 +168,7 @@ class RenderRun {
 
   void write_output(const std::filesystem::path& path, std::span<const std::byte> bytes) const {
     write_file_atomically(path, bytes);
-    // The checkpoint is removed next; a power cut must not keep that and lose the file.
+    // The checkpoint is removed next: a power cut must not lose the file but keep the removal.
     if (!asked_.session.checkpoint.empty()) force_folder_of(path);
   }
 

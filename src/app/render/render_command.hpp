@@ -5,7 +5,8 @@
 
 namespace penumbra {
 
-// Returns the exit code: 0, 64 where options do not fit the scene, 65 for a wrong scene, 66 for none, 70, 73, 74.
+// Returns the exit code: 0, 64 if options do not fit the scene, 65 for a wrong scene, 66 for none, 69 without ffmpeg,
+// 70, 73, 74, 75 if interrupted.
 int render_command(const RenderOptions& options);
 
 }  // namespace penumbra

@@ -29,7 +29,7 @@ std::vector<std::optional<int>> frames_to_render(const PictureOptions& options) 
 
 SceneFrames::SceneFrames(const RenderOptions& options, bool hash)
     : options_(options), hash_(hash || !options.session.scene_hash.empty()), frames_(frames_to_render(options)) {
-  if (options_.frames) options_.frames->step = 1;  // which frames are rendered does not change any of them
+  if (options_.frames) options_.frames->step = 1;  // the choice of frames does not change any of them
 }
 
 void SceneFrames::go_to(std::optional<int> frame) {
@@ -75,7 +75,7 @@ void SceneFrames::require_hash() const {
   const std::string& wanted = options_.session.scene_hash;
   if (wanted.empty() || to_hex(file_.hash) == wanted) return;
   throw FileError(EX_DATAERR, fmt::format("`{}`, or a file that it reads, has changed: the hash of its files is {}, "
-                                          "and {} is asked for",
+                                          "but --scene-hash is {}",
                                           options_.scene, to_hex(file_.hash), wanted));
 }
 

@@ -1,4 +1,4 @@
-// The scene of a render as it is at each frame of an animation, and the files that its pictures go to. A still picture
+// The scene of a render at each frame of an animation, and the files that its pictures are written to. A still picture
 // is an animation of one frame without a number.
 #pragma once
 
@@ -14,21 +14,21 @@ namespace penumbra {
 
 class SceneFrames {
  public:
-  // `hash`: that of the scene's files is wanted.
+  // `hash`: whether to compute the hash of the scene's files.
   SceneFrames(const RenderOptions& options, bool hash);
 
   // The numbers of the frames to render.
   const std::vector<std::optional<int>>& frames() const { return frames_; }
 
-  // Makes this frame the current one. The files are read again only where the scene depends on the frame.
+  // Makes this frame the current one. The files are read again only if the scene depends on the frame.
   void go_to(std::optional<int> frame);
 
-  // Goes through all frames, says what is wrong with the scene and what would make the work of rendering useless, and
-  // calls `visit` at each. Returns the exit code, 0 if nothing is wrong. Throws FileError 65 where the files have
-  // another hash than was asked for.
+  // Goes through all frames, reports what is wrong with the scene and what would make rendering useless, and calls
+  // `visit` at each frame. Returns the exit code, 0 if nothing is wrong. Throws FileError 65 if the files do not have
+  // the required hash.
   int check(const std::function<void()>& visit = {});
 
-  // Of the current frame: the options, the scene, the files of each of its pictures.
+  // The options, the scene and the files of each picture at the current frame.
   const RenderOptions& options() const { return options_; }
   const SceneFile& file() const { return file_; }
   std::vector<std::vector<std::filesystem::path>> outputs() const;

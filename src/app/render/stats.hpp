@@ -1,4 +1,4 @@
-// What a render did, in numbers: the JSON of `--stats`.
+// Statistics of a render: the JSON of `--stats`.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ struct RenderStats {
   int lanes = 0;
   std::string isa;
   Settings settings;
-  std::optional<double> noise;  // where the render was adaptive
+  std::optional<double> noise;  // if the render was adaptive
   std::uint64_t shapes = 0, triangles = 0, instances = 0, lights = 0;
 };
 
-// Of several pictures, times, rays and samples are sums, the rest is that of the last one.
+// For several pictures, times, rays and samples are summed; the rest is that of the last picture.
 std::string to_json(const RenderStats& stats);
 
 }  // namespace penumbra

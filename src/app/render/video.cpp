@@ -1,5 +1,5 @@
-// ffmpeg is started without a shell. It reads the pixels from a pipe and writes the video into memory that has a file
-// descriptor, so that nothing is left behind whatever happens, and the file is written as all others are.
+// ffmpeg is started without a shell. It reads the pixels from a pipe and writes the video to a file in memory, so that
+// nothing is left behind whatever happens, and the output file is written like all others.
 #include "app/render/video.hpp"
 
 #include <fcntl.h>
@@ -32,7 +32,7 @@ constexpr int video_descriptor = 3;  // ffmpeg's
   throw FileError(EX_CANTCREAT, fmt::format("cannot make the video `{}`: {}", video.string(), why));
 }
 
-// An open file that closes itself.
+// A file descriptor that closes itself.
 class OpenFile {
  public:
   explicit OpenFile(int fd = -1) : fd_(fd) {}
@@ -49,7 +49,7 @@ class OpenFile {
   int fd_;
 };
 
-// While it is there, writing to a program that has ended is an error instead of a signal.
+// While it lives, writing to a program that has ended is an error instead of a signal.
 class NoBrokenPipe {
  public:
   NoBrokenPipe() {
@@ -65,7 +65,7 @@ class NoBrokenPipe {
   struct sigaction old_ {};
 };
 
-// The picture's bytes, r, g, b.
+// The pixels as bytes r, g, b.
 std::vector<std::uint8_t> bytes_of(const Image& image) {
   std::vector<std::uint8_t> bytes(image.rgb.size());
   for (std::size_t i = 0; i < bytes.size(); i++) {
@@ -83,7 +83,7 @@ bool write_all(int fd, const std::vector<std::uint8_t>& bytes) {
   return true;
 }
 
-// yuv420p is what every player plays; it wants even sides, so an odd one gets a black line.
+// Every player plays yuv420p. It needs even sides, so an odd one gets a black line.
 std::vector<std::string> arguments_for(int width, int height, double frames_per_second) {
   return {"ffmpeg",
           "-loglevel",
@@ -115,7 +115,7 @@ std::vector<std::string> arguments_for(int width, int height, double frames_per_
 // A running ffmpeg.
 class Ffmpeg {
  public:
-  // It reads from `input` and may write to `output`.
+  // ffmpeg reads from `input` and writes to `output`.
   Ffmpeg(const fs::path& program, std::vector<std::string> arguments, int input, int output, const fs::path& video) {
     std::vector<char*> words;
     words.reserve(arguments.size() + 1);
@@ -148,7 +148,7 @@ class Ffmpeg {
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
 
-  // Whether it has done its work.
+  // Waits until it ends. Returns whether it succeeded.
   bool wait() {
     int status = 0;
     while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
@@ -191,15 +191,15 @@ void write_video(const fs::path& video, const std::vector<fs::path>& pictures, d
   for (const fs::path& picture : pictures) {
     const Image image = read_image(picture).image;
     if (image.width != first.width || image.height != first.height) {
-      throw FileError(EX_DATAERR, fmt::format("cannot make the video `{}`: `{}` has another size than `{}`",
+      throw FileError(EX_DATAERR, fmt::format("cannot make the video `{}`: `{}` and `{}` differ in size",
                                               video.string(), picture.string(), pictures.front().string()));
     }
     if (!write_all(write_end.get(), bytes_of(image))) break;
   }
   write_end.close();
-  if (!running.wait()) fail(video, "ffmpeg has failed");
+  if (!running.wait()) fail(video, "ffmpeg failed");
   const std::vector<std::byte> bytes = read_file(fmt::format("/proc/self/fd/{}", memory.get()));
-  if (bytes.empty()) fail(video, "ffmpeg has made nothing");
+  if (bytes.empty()) fail(video, "ffmpeg wrote nothing");
   write_file_atomically(video, bytes);
 }
 

@@ -22,7 +22,7 @@ struct Panel {
   int left, top;
 
   PixelRect window() const { return {left, top, left + panel_size, top + panel_size}; }
-  // A place in it by fractions of its sides, y down.
+  // A position in the panel as fractions of its sides, y down.
   Canvas::Point at(double x, double y) const { return {left + x * panel_size, top + y * panel_size}; }
 };
 constexpr Panel points_panel{34, 24}, picture_panel{454, 24}, curve_panel{874, 24};
@@ -49,7 +49,7 @@ void tick_beside(Canvas& canvas, const Panel& panel, double y, const std::string
 }
 
 void draw_cells(Canvas& canvas, const EqualCells& cells) {
-  // Where cells are a few pixels wide their lines would be a grey wash.
+  // The lines of cells only a few pixels wide would merge into grey.
   if (cells.rows() > 90) return;
   const auto line = [&](double x0, double y0, double x1, double y1) {
     canvas.line(points_panel.at(x0, y0), points_panel.at(x1, y1), 1, grid_color);
@@ -64,7 +64,7 @@ void draw_cells(Canvas& canvas, const EqualCells& cells) {
   }
 }
 
-// Calls f with the place of a point and of its copies around the unit square.
+// Calls f with the positions of a point and of its copies around the unit square.
 template <typename F>
 void at_all_copies(const PlanePoint& p, F&& f) {
   for (int y = -1; y <= 1; y++) {
@@ -94,7 +94,7 @@ void draw_points(Canvas& canvas, const PatternPlot& plot) {
   }
 }
 
-// The mean grey value of a pixel of the panel, whose sides are those of the spectrum's squares for whole frequencies.
+// The mean grey value of a pixel of the panel, in which every integer frequency has a square.
 float grey_at(const Spectrum& spectrum, int x, int y) {
   constexpr int parts = 4;
   const int width = 2 * spectrum.limit() + 1;
@@ -141,7 +141,7 @@ void draw_curve(Canvas& canvas, const Spectrum& spectrum, double root_n) {
   const std::vector<double> radial = spectrum.radial();
   std::vector<Canvas::Point> curve;
   for (std::size_t k = 1; k < radial.size(); k++) {
-    // A peak may go far beyond the panel.
+    // A peak may lie far above the panel.
     curve.push_back(place(static_cast<double>(k), std::min(radial[k], 4 * highest_power)));
   }
   canvas.curve(curve, 2, blue);

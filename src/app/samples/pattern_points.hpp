@@ -1,4 +1,4 @@
-// The points of a pattern as a render draws them, for the figures of `penumbra samples`.
+// The points of a pattern as a render uses them, for the figures of `penumbra samples`.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace penumbra {
 
-// Two dimensions of a sample: one of the eye ray's and the next, or a later pair, which has a hash for a name (see
-// Sampler::pair); one later pair stands for all.
+// Two dimensions of a sample: one of the eye ray's and the next, or a later pair, which is named by a hash (see
+// Sampler::pair); one such pair represents all.
 struct DimensionPair {
   std::string_view name;
   std::uint32_t first;
@@ -31,7 +31,7 @@ class PatternPoints {
   std::vector<PlanePoint> points(std::size_t count, std::uint32_t seed, int x, int y);
 
  private:
-  // What a render with `count` rays a pixel would use, made once.
+  // The frame that a render with `count` rays per pixel would use, made once.
   const Frame& frame_for(std::size_t count, std::uint32_t seed);
 
   const Kernel& kernel_;

@@ -1,4 +1,3 @@
-// See samples_command.hpp.
 #include "app/samples/samples_command.hpp"
 
 #include <fmt/format.h>
@@ -62,8 +61,8 @@ Figures figures_of(const std::vector<PlanePoint>& points) {
   return figures;
 }
 
-// Realization number `number`: the first is the one asked for, the others are pixels to its right and below, and other
-// seeds in turn, for what is a table for all pixels is the same in all of them.
+// Realization 0 is the one asked for. The others vary the seed as well as the pixel, to the right and below, because
+// patterns that come from one table are the same in all pixels.
 std::vector<PlanePoint> realization(PatternPoints& source, const SamplesOptions& options, std::size_t count,
                                     int number) {
   const int seed = number % 8, pixel = number / 8;
@@ -71,8 +70,8 @@ std::vector<PlanePoint> realization(PatternPoints& source, const SamplesOptions&
                        options.pixel_y + pixel / 16);
 }
 
-// Up to frequency 4 sqrt(n), over 64 realizations; with more than 1500 points over fewer, with more
-// than 11000 up to lower frequencies.
+// The spectrum up to frequency 4 sqrt(n), over 64 realizations; over fewer for more than 1500 points, up to lower
+// frequencies for more than 11000.
 Spectrum spectrum_of(PatternPoints& source, const SamplesOptions& options) {
   const double n = options.n;
   const double highest = std::min(std::ceil(4 * std::sqrt(n)), std::floor(std::sqrt(spectrum_work / n)) - 1);

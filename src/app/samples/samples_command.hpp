@@ -1,4 +1,4 @@
-// `penumbra samples`: a sample pattern as a picture, and in figures: discrepancy, distances, cells, and how fast its
+// `penumbra samples`: plots a sample pattern and prints its figures: discrepancy, distances, cells, and how fast its
 // error falls with the number of samples.
 #pragma once
 
@@ -20,11 +20,11 @@ struct SamplesOptions {
   bool json = false;
 };
 
-// The subcommand `samples`; its options fill `options`, which has to outlive it.
+// The subcommand `samples`; its options write to `options`, which must outlive it.
 Subcommand samples_subcommand(SamplesOptions& options);
 
-// Reports to standard output; what is wrong goes to standard error. Returns the exit code, which is 73 or 74 when the
-// plot cannot be written.
+// Prints figures to standard output, errors to standard error. Returns the exit code, which is 73 or 74 if the plot
+// cannot be written.
 int samples_command(const SamplesOptions& options);
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// Handlers of signals may touch lock-free atomics and call a few functions of the system, no more.
+// Signal handlers may only use lock-free atomics and async-signal-safe functions.
 #include "app/sessions/interruption.hpp"
 
 #include <sysexits.h>
@@ -24,7 +24,7 @@ static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free && std::atomi
 void handle(int number) {
   if (received.exchange(number) != 0) {
     std::signal(number, SIG_DFL);
-    std::raise(number);  // comes when the handler returns
+    std::raise(number);  // delivered when the handler returns
     return;
   }
   std::atomic<bool>* const flag = stop_flag.load();
@@ -48,7 +48,7 @@ Interruption::Interruption() {
   ::sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < signals.size(); i++) {
     ::sigaction(signals[i], nullptr, &old_actions[i]);
-    // `nohup` asks to live on when the terminal is gone.
+    // `nohup` asks to keep running when the terminal is gone.
     const bool is_unwanted = signals[i] == SIGHUP && old_actions[i].sa_handler == SIG_IGN;
     if (!is_unwanted) ::sigaction(signals[i], &action, nullptr);
   }

@@ -20,7 +20,7 @@ Clock::duration to_duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-// Sets a flag at a time, unless it has gone out of scope by then.
+// Sets a flag at a given time, unless the alarm has gone out of scope by then.
 class Alarm {
  public:
   Alarm(Clock::time_point when, std::atomic<bool>& flag)
@@ -64,10 +64,9 @@ void RenderSession::open_checkpoint() {
       fmt::print(stderr, "penumbra: there is no checkpoint `{}` yet: rendering from the beginning\n", path.string());
     }
   } else if (exists) {
-    if (!may_be_checkpoint(path)) refuse("there is a file of another kind in its place; name another one");
+    if (!may_be_checkpoint(path)) refuse("a file of another kind has that name; choose another one");
     if (!quiet_) {
-      fmt::print(stderr,
-                 "penumbra: warning: rendering from the beginning, as there is no --resume: `{}` will be replaced\n",
+      fmt::print(stderr, "penumbra: warning: rendering from the beginning, without --resume: `{}` will be replaced\n",
                  path.string());
     }
   }
@@ -135,7 +134,7 @@ bool RenderSession::is_over() const {
   return (interruption_ && interruption_->signal()) || (end_ && Clock::now() >= *end_);
 }
 
-// Writes while the render goes on. Where that fails, there is no use in going on.
+// Saves while rendering continues; if saving fails, stops the render.
 std::future<void> RenderSession::begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop) {
   return std::async(std::launch::async, [this, &stop, bytes = std::move(bytes)] {
     try {
@@ -161,11 +160,11 @@ std::string RenderSession::why() const {
   const char* const signal = interruption_ ? interruption_->signal() : nullptr;
   const std::string cause = signal ? fmt::format("interrupted by {}", signal) : "the time limit is reached";
   if (options_.checkpoint.empty() && options_.animation) {
-    return fmt::format("{}: the same command with --resume goes on with the frames that are not finished", cause);
+    return fmt::format("{}: the same command with --resume renders the remaining frames", cause);
   }
   return options_.checkpoint.empty()
-             ? fmt::format("{}: what is written is not finished", cause)
-             : fmt::format("{}: the same command with --resume goes on from `{}`", cause, options_.checkpoint);
+             ? fmt::format("{}: the picture is not finished", cause)
+             : fmt::format("{}: the same command with --resume continues from `{}`", cause, options_.checkpoint);
 }
 
 void RenderSession::finish() {

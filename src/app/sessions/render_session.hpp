@@ -1,5 +1,5 @@
-// One session of a render: it begins where the last one ended, saves what there is now and then, and ends when the
-// picture is finished, the time is up, or someone asks it to.
+// One session of a render: it starts where the last one ended, saves its progress regularly, and ends when the picture
+// is finished, the time is up, or a signal asks it to.
 #pragma once
 
 #include <chrono>
@@ -17,27 +17,27 @@ class RenderSession {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Reads the checkpoint that is to be gone on from. Throws FileError: 65 where it is damaged, 73 where no checkpoint
-  // can be written. `start` is when the time limit begins to count.
+  // Reads the checkpoint to resume from. Throws FileError: 65 if it is damaged, 73 if no checkpoint can be written. The
+  // time limit counts from `start`.
   RenderSession(const RenderSessionOptions& options, Clock::time_point start, bool quiet);
 
-  // Throws FileError 65 unless the checkpoint, if there is one, is of this scene, and of this animation if it is of
-  // one: `frames` is what the option of that name says, `not given` without it.
+  // Throws FileError 65 if there is a checkpoint and it is of another scene or another animation. `frames` is the value
+  // of the option of that name, `not given` without it.
   void require_scene(const std::string& version, const ContentHash& scene, const std::string& frames) const;
   // Whether earlier sessions have finished this picture of the scene.
   bool has_finished(int picture) const { return checkpoint_ && picture < checkpoint_->key().picture; }
 
-  // Renders until the picture is finished or the session has to end; then the checkpoint is written and the answer
-  // false.
+  // Renders until the picture is finished or the session has to end. Returns whether it is finished; if not, the
+  // checkpoint is written.
   bool run(ResumableRender& render, PictureKey key, RenderState& state);
-  // What this picture has taken, earlier sessions included.
+  // The rays and the time spent on this picture, including earlier sessions.
   const Spent& spent() const { return spent_; }
-  // Whether it was asked to end, or its time is up.
+  // Whether a signal has asked it to end, or its time is up.
   bool is_over() const;
-  // Why the session ended before the picture was finished, and how to go on, for the user.
+  // Why the session ended before the picture was finished, and how to resume it, for the user.
   std::string why() const;
 
-  // All pictures are finished and written: no checkpoint is needed any more.
+  // Removes the checkpoint; for when all pictures are written.
   void finish();
 
  private:
@@ -49,7 +49,7 @@ class RenderSession {
   bool quiet_;
   std::optional<Clock::time_point> end_;
   std::optional<Interruption> interruption_;
-  std::optional<Checkpoint> checkpoint_;  // which the last session left
+  std::optional<Checkpoint> checkpoint_;  // left by the last session
   bool keeps_previous_ = true;
   Spent spent_;
 };

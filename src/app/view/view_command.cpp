@@ -11,8 +11,7 @@
 
 namespace penumbra {
 Subcommand view_subcommand() {
-  Subcommand view{"view", "Open a window: see the picture grow, change the scene, ask a pixel why", {}, {}, {}, {}, {},
-                  {}};
+  Subcommand view{"view", "Open a window to watch, change and inspect a picture", {}, {}, {}, {}, {}, {}};
   view.hand_over = view_command;
   return view;
 }

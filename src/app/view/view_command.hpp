@@ -1,5 +1,5 @@
-// `penumbra view`: hands over to the program of the window, which lies beside this one, so that no other subcommand
-// loads a library of windows.
+// `penumbra view`: hands over to the window's program, which is installed next to this one, so that no other subcommand
+// loads window libraries.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace penumbra {
 // The name of the window's program.
 inline constexpr const char* window_program = "penumbra-view";
 
-// The subcommand `view`. Its options and their help are the business of the window's own program.
+// The subcommand `view`. The window's program handles its options and help.
 Subcommand view_subcommand();
 
-// Becomes the window's program with these arguments; returns an exit code if that is not possible.
+// Replaces this process by the window's program with these arguments; returns an exit code only if that fails.
 int view_command(const std::vector<std::string>& arguments);
 
 }  // namespace penumbra

@@ -1,4 +1,4 @@
-// The program of the window, which `penumbra view` starts.
+// The window's program, which `penumbra view` starts.
 #include <fmt/format.h>
 #include <sysexits.h>
 
@@ -61,20 +61,14 @@ int open_window(ViewOptions& options) {
 
 int run(int argc, char** argv) {
   ViewOptions options;
-  Subcommand view{"penumbra view",
-                  "The window: see the picture grow, change the scene, ask a pixel why. H lists the keys.",
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {}};
+  Subcommand view{
+      "penumbra view", "The window: watch, change and inspect a picture. H lists the keys.", {}, {}, {}, {}, {}, {}};
   view.options = view_picture_options(options.session.picture);
   view.options.insert(
       view.options.begin(),
       {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
   for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
-  view.options.push_back({"--window", "WxH", "Pixels of the window at first, WxH [1280x760]",
+  view.options.push_back({"--window", "WxH", "Initial size of the window in pixels, WxH [1280x760]",
                           [&options](std::string_view text) { return take_window_size(options.window, text); }});
   view.options.push_back({"--report", "FILE", "",
                           [&options](std::string_view file) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that a goal needs (build, test, lint; machines: what tests/machines runs on;
+# Installs the Debian packages that a goal needs (build, test, lint; ci: what .ci/run needs besides;
 # instructions: what bench/instructions.py counts with; peers: what bench/peers compares with; cluster: the Slurm of
 # tests/cluster), and only those that are missing: with everything there, no package manager is called and no network is
 # needed. Only apt runs with root's rights.
@@ -11,7 +11,7 @@ build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libope
 # The window is tested on an X server without a screen, with OpenGL in software and keys that are pressed for real.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
-machines_packages=(qemu-user)
+ci_packages=(qemu-user ccache)
 instructions_packages=(valgrind)
 peers_packages=(povray blender python3-numpy python3-openimageio python3-matplotlib)
 cluster_packages=(slurm-wlm munge)
@@ -20,12 +20,12 @@ case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
-  machines) wanted=("${machines_packages[@]}") ;;
+  ci) wanted=("${ci_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
   peers) wanted=("${peers_packages[@]}") ;;
   cluster) wanted=("${build_packages[@]}" "${cluster_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|machines|instructions|peers|cluster" >&2
+    echo "usage: $0 build|test|lint|ci|instructions|peers|cluster" >&2
     exit 64
     ;;
 esac

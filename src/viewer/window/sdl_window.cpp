@@ -2,13 +2,13 @@
 
 #include <SDL_opengl.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <backends/imgui_impl_sdl.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <cstdlib>
 #include <string_view>
 
+#include "viewer/window/imgui_sdl.hpp"
 #include "viewer/window/run_window.hpp"
 
 namespace penumbra {

@@ -5,7 +5,10 @@ set -euo pipefail
 folder=$1
 seconds=$2
 order=${3:-0}
-for fuzzer in "$folder"/*_fuzzer; do
+export folder seconds order
+
+fuzz() {
+  local fuzzer=$1 name found seeds dictionary options
   name=$(basename "$fuzzer" _fuzzer)
   found=$(mktemp -d)
   seeds=(fuzz/corpus/"$name")
@@ -16,5 +19,7 @@ for fuzzer in "$folder"/*_fuzzer; do
   echo "fuzzing $name for $seconds s"
   "$fuzzer" "${options[@]}" -artifact_prefix="$folder/" "$found" "${seeds[@]}"
   rm -rf "$found"
-done
+}
+export -f fuzz
+printf '%s\0' "$folder"/*_fuzzer | xargs -0 -n 1 -P "$(nproc)" bash -euo pipefail -c 'fuzz "$1"' fuzz
 echo "no fuzzer found anything"

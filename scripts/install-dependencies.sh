@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that a goal needs (build, test, lint; machines: for tests/machines; instructions: for
+# Installs the Debian packages that a goal needs (build, test, lint; ci: what .ci/run needs besides; instructions: for
 # bench/instructions.py; peers: for bench/peers; cluster: the Slurm of tests/cluster), and only the missing ones: if
 # none is missing, it calls no package manager and needs no network. Only apt runs as root.
 set -euo pipefail
@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libope
 # The window is tested on a headless X server, with software OpenGL and real key presses.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
-machines_packages=(qemu-user)
+ci_packages=(qemu-user ccache)
 instructions_packages=(valgrind)
 peers_packages=(povray blender python3-numpy python3-openimageio python3-matplotlib)
 cluster_packages=(slurm-wlm munge)
@@ -19,12 +19,12 @@ case "${1:-}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
-  machines) wanted=("${machines_packages[@]}") ;;
+  ci) wanted=("${ci_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
   peers) wanted=("${peers_packages[@]}") ;;
   cluster) wanted=("${build_packages[@]}" "${cluster_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|machines|instructions|peers|cluster" >&2
+    echo "usage: $0 build|test|lint|ci|instructions|peers|cluster" >&2
     exit 64
     ;;
 esac

@@ -13,7 +13,7 @@ using Library = nlohmann::ordered_json;
 constexpr int deepest = 100;
 
 auto find(const Json::Object& members, std::string_view name) {
-  return std::find_if(members.begin(), members.end(), [&](const Json::Member& member) { return member.name == name; });
+  return std::find_if(members.begin(), members.end(), [&](const Json::Member& member) { return member.first == name; });
 }
 
 Library to_library(const Json& json) {
@@ -28,7 +28,7 @@ Library to_library(const Json& json) {
           return array;
         } else if constexpr (std::is_same_v<Kind, Json::Object>) {
           Library object = Library::object();
-          for (const Json::Member& member : value) object[member.name] = to_library(member.value);
+          for (const auto& [name, element] : value) object[name] = to_library(element);
           return object;
         } else {
           return value;
@@ -89,16 +89,16 @@ Json& Json::operator[](std::string_view name) {
   if (std::holds_alternative<std::monostate>(value_)) value_ = Object();
   auto& members = std::get<Object>(value_);
   if (const auto place = find(members, name); place != members.end()) {
-    return members[static_cast<std::size_t>(place - members.begin())].value;
+    return members[static_cast<std::size_t>(place - members.begin())].second;
   }
-  return members.emplace_back(std::string(name), Json()).value;
+  return members.emplace_back(std::string(name), Json()).second;
 }
 
 const Json& Json::at(std::string_view name) const {
   const auto& members = get<Object>();
   const auto place = find(members, name);
   if (place == members.end()) throw std::invalid_argument(fmt::format("there is no `{}`", name));
-  return place->value;
+  return place->second;
 }
 
 bool Json::contains(std::string_view name) const {

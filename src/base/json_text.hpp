@@ -19,7 +19,7 @@ namespace penumbra {
 
 class Json {
  public:
-  struct Member;
+  using Member = std::pair<std::string, Json>;
   using Array = std::vector<Json>;
   using Object = std::vector<Member>;  // in the order in which the members were added
   using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object>;
@@ -75,11 +75,6 @@ class Json {
   double number() const;
 
   Value value_;
-};
-
-struct Json::Member {
-  std::string name;
-  Json value;
 };
 
 // How to treat a string that is not UTF-8, as JSON requires: replace the invalid bytes or throw.

@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstdint>
 #include <string>
 
 namespace penumbra {

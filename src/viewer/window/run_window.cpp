@@ -1,6 +1,5 @@
 #include "viewer/window/run_window.hpp"
 
-#include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 
 #include "viewer/input_map.hpp"
+#include "viewer/window/imgui_sdl.hpp"
 #include "viewer/window/inspector.hpp"
 #include "viewer/window/mouse.hpp"
 #include "viewer/window/overlay.hpp"

@@ -2,13 +2,13 @@
 
 #include <SDL_opengl.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <backends/imgui_impl_sdl.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <cstdlib>
 #include <string_view>
 
+#include "viewer/window/imgui_sdl.hpp"
 #include "viewer/window/run_window.hpp"
 
 namespace penumbra {
@@ -36,7 +36,8 @@ bool shows_anything(const char* driver) {
 
 }  // namespace
 
-SdlWindow::SdlWindow(const char* title, int width, int height) try {
+// From SdlWindow() on, the destructor closes what is open when this throws.
+SdlWindow::SdlWindow(const char* title, int width, int height) : SdlWindow() {
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   const std::string names = drivers();
@@ -60,14 +61,9 @@ SdlWindow::SdlWindow(const char* title, int width, int height) try {
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
   ImGui_ImplOpenGL3_Init("#version 130");
   SDL_StartTextInput();
-} catch (...) {
-  close();
-  throw;
 }
 
-SdlWindow::~SdlWindow() { close(); }
-
-void SdlWindow::close() {
+SdlWindow::~SdlWindow() {
   if (imgui_) {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplSDL2_Shutdown();

@@ -27,7 +27,7 @@ class SdlWindow {
   std::pair<int, int> size() const;
 
  private:
-  void close();
+  SdlWindow() = default;
 
   SDL_Window* window_ = nullptr;
   SDL_GLContext context_ = nullptr;

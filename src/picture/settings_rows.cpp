@@ -189,11 +189,12 @@ PictureOption noise() {
 }
 
 PictureOption course() {
-  PictureOption row{"course", "YEAR",
-                    fmt::format("Reproduce the course's own picture, pixel for pixel; of a year that drew some things in its own "
-                                "way: {} [off]",
-                                years_in_words),
-                    "course [year]"};
+  PictureOption row{
+      "course", "YEAR",
+      fmt::format("Reproduce the course's own picture, pixel for pixel; of a year that drew some things in its own "
+                  "way: {} [off]",
+                  years_in_words),
+      "course [year]"};
   row.value_is_optional = true;
   row.parse = [](Options& options, std::string_view text) {
     options.course = text.empty() || text == "yes" ? Course::any_year : course_of_year(text);

@@ -91,10 +91,9 @@ ambient
 + k_trans * (what the transmitted ray sees)
 ```
 
-where L is the direction to the light, V the direction back along the ray and N the normal. For `glossy` and
-`translucent`, the highlight is max(0, N.H)^spec_pow, with H halfway between L and V; for `surface` with eleven numbers
-and for `shiny`, it is max(0, R.V)^spec_pow, with R the mirror direction of L. A ray that hits nothing sees the
-background.
+where L is the direction to the light, V the direction back along the ray and N the normal. The highlight is
+max(0, N.H)^spec_pow, with H halfway between L and V. After `highlight phong`, that of `surface` with eleven numbers and
+of `shiny` is max(0, R.V)^spec_pow, with R the mirror direction of L. A ray that hits nothing sees the background.
 
 A triangle is lit on the side from which it is seen; all other shapes keep their outward normal.
 
@@ -164,6 +163,20 @@ The course's own programs render some things differently. With `--course`:
 - spheres and boxes outside instances keep their radius and their axes: the matrix moves only the centre of a sphere,
   and the two corners of a box, which are then sorted again. An instance still applies its full matrix;
 - colours are truncated to bytes instead of rounded.
+
+The command `course`, before every other, says the same in the scene. Some years had conventions of their own, which
+`--course=YEAR` and `course YEAR` follow. Where a year says nothing, it is as above; `max_depth`, `highlight` and
+`sampler` in the scene, and the options of those names, win.
+
+| year | rays | highlight of `surface` and `shiny` | depth | order of arguments |
+|---|---|---|---|---|
+| 2015 | the outermost pixels lie on the edges of the view: column i at (i - (W-1)/2) 2k/(W-1), row j at ((H-1)/2 - j) 2k/(H-1), with k = tan(fov/2) | max(0, R.V)^spec_pow | 5 | |
+| 2017 | | max(0, N.H)^spec_pow | 20 | |
+| 2018 | | max(0, N.H)^spec_pow | 9 | `light r g b x y z`, `surface ar ag ab dr dg db sr sg sb spec_pow k_refl`, `sphere x y z radius` |
+| 2022 | | max(0, N.H)^spec_pow | 8 | |
+
+A file in the order of 2018 that is read without the year is mostly an error, as its radii are not positive; where it is
+not, a warning points out what looks like that order.
 
 ## Errors and warnings
 

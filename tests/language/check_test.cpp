@@ -70,7 +70,7 @@ TEST(Check, saysWhatIsInAScene) {
       "  rays       64 per pixel, depth 8, sampler random, seed 5\n"
       "  camera     eye 0 1 2, looking along 0 0 -1, fov 45, lens of radius 0.1 focused at 4, shutter 0 to 0.5\n"
       "  background 0.2 0.4 0.8\n"
-      "  lights     2 point lights, 1 disk light, 1 spotlight\n"
+      "  lights     2 point lights, 1 disk light, 1 quad light, 1 spotlight\n"
       "  objects    2 spheres, 1 box, 2 cylinders, 2 triangles, 1 group, 1 named object, 2 instances, 1 moving object\n"
       "  surfaces   2\n"
       "  painted    1 rectangle\n"

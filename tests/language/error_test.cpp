@@ -4,6 +4,11 @@
 namespace penumbra {
 namespace {
 
+// The hint of every radius of a sphere that is out of range.
+const std::string order_of_2018 =
+    "  if this file has the order of 2018 (`sphere x y z radius`), --course=2018, or `course 2018` in the first line, "
+    "reads that order\n";
+
 struct Case {
   std::string text;
   std::string told;
@@ -64,12 +69,15 @@ TEST(Errors, aboutTheKindOfArguments) {
 TEST(Errors, aboutTheRangeOfArguments) {
   expect_told({
       {"sphere 0 0 0 0",
-       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `0`\n  sphere 0 0 0 0\n         ^\n"},
+       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `0`\n  sphere 0 0 0 0\n         ^\n" +
+           order_of_2018},
       {"sphere -1 0 0 0",
-       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `-1`\n  sphere -1 0 0 0\n         ^~\n"},
+       "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `-1`\n  sphere -1 0 0 0\n         ^~\n" +
+           order_of_2018},
       {"sphere 1e-60 0 0 0",
        "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `1e-60`\n  sphere 1e-60 0 0 0\n         "
-       "^~~~~\n"},
+       "^~~~~\n" +
+           order_of_2018},
       {"moving_sphere -1 0 0 0 0 0 0",
        "s.cli:1:15: error: `radius` of `moving_sphere` has to be greater than 0; found `-1`\n"
        "  moving_sphere -1 0 0 0 0 0 0\n                ^~\n"},

@@ -129,9 +129,11 @@ TEST(Expression, hasToBeFinite) {
 }
 
 TEST(Expression, hasToBeInTheRangeOfItsArgument) {
-  EXPECT_EQ(told("sphere {t - 0.5} 0 0 -4"),
-            "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `{t - 0.5}`, which is -0.5\n  "
-            "sphere {t - 0.5} 0 0 -4\n         ^~~~~~~~~\n");
+  EXPECT_EQ(
+      told("sphere {t - 0.5} 0 0 -4"),
+      "s.cli:1:8: error: `radius` of `sphere` has to be greater than 0; found `{t - 0.5}`, which is -0.5\n  "
+      "sphere {t - 0.5} 0 0 -4\n         ^~~~~~~~~\n  if this file has the order of 2018 (`sphere x y z radius`), "
+      "--course=2018, or `course 2018` in the first line, reads that order\n");
   EXPECT_NE(told("rays_per_pixel {t + 0.5}").find("has to be a whole number"), std::string::npos);
 }
 

@@ -31,7 +31,8 @@ nlohmann::json reference_entry(const std::filesystem::path& folder, const std::s
 
 std::string options_of(const nlohmann::json& entry) {
   std::string options;
-  for (const std::string option : entry.value("options", std::vector<std::string>{"--course"})) options += ' ' + option;
+  for (const std::string& option : entry.value("options", std::vector<std::string>{"--course"}))
+    options += ' ' + option;
   return options;
 }
 

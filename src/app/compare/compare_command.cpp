@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
@@ -96,6 +96,16 @@ void write_heatmap(const std::string& path, const Comparison& comparison) {
                                           largest_finite(comparison.pixel_differences))));
 }
 
+// Infinity is a threshold that nothing exceeds.
+std::string take_threshold(std::string_view text, double& threshold) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc{} && end == text.data() + text.size() && value >= 0;
+  if (!good) return expected(text, "a number of 0 or more");
+  threshold = value;
+  return {};
+}
+
 }  // namespace
 
 Subcommand compare_subcommand(CompareOptions& options) {
@@ -104,13 +114,8 @@ Subcommand compare_subcommand(CompareOptions& options) {
   compare.options = {{"A", "FILE", "A picture, PNG or EXR", into(options.a), Times::once, true},
                      {"B", "FILE", "The picture to compare it with", into(options.b), Times::once, true}};
   const auto add_threshold = [&compare](const char* name, double& value, const char* help) {
-    compare.options.push_back({name, "NUMBER", fmt::format("{} [{}]", help, value), [&value](std::string_view text) {
-                                 std::optional<double> number;
-                                 std::string wrong = parse_number(text, 0, std::numeric_limits<double>::max(),
-                                                                  "a number of 0 or more", number);
-                                 if (number) value = *number;
-                                 return wrong;
-                               }});
+    compare.options.push_back({name, "NUMBER", fmt::format("{} [{}]", help, value),
+                               [&value](std::string_view text) { return take_threshold(text, value); }});
   };
   Thresholds& limits = options.thresholds;
   add_threshold("--fail", limits.fail, "A pixel fails if it differs by more");

@@ -35,22 +35,20 @@ std::string take_debug_pixel(RenderOptions& options, std::string_view text) {
 }
 
 std::string take_frames_per_second(RenderOptions& options, std::string_view text) {
-  std::optional<double> number;
-  std::string wrong = parse_number(text, 0.1, 1000, "a number from 0.1 to 1000", number);
-  if (number) options.frames_per_second = *number;
-  return wrong;
+  return parse_number(text, 0.1, 1000, "a number from 0.1 to 1000", options.frames_per_second);
 }
 
 std::string check_frames(const RenderOptions& options) {
   if (!options.frames) {
     if (options.frame) return "--frame: it needs --frames";
+    if (options.frames_per_second) return "--fps: it needs --frames and --video";
     return options.video.empty() ? "" : "--video: it needs --frames";
   }
   const AnimationRange& range = *options.frames;
   if (options.frame && (*options.frame < range.first || *options.frame > range.last)) {
     return fmt::format("--frame: {} is not one of the frames {}-{}", *options.frame, range.first, range.last);
   }
-  if (options.video.empty()) return {};
+  if (options.video.empty()) return options.frames_per_second ? "--fps: it needs --video" : "";
   if (std::filesystem::path(options.video).extension() != ".mp4") {
     return fmt::format("--video: `{}` does not end in .mp4", options.video);
   }
@@ -61,6 +59,7 @@ std::string check_frames(const RenderOptions& options) {
 
 std::string check_session(const RenderOptions& options) {
   const RenderSessionOptions& session = options.session;
+  if (session.every && session.checkpoint.empty()) return "--every: it needs --checkpoint";
   if (session.resume && session.checkpoint.empty() && !session.animation) {
     return "--resume: there is nothing to resume without --checkpoint or --frames";
   }

@@ -25,9 +25,9 @@ struct RenderOptions : PictureOptions {
   std::optional<DebugPixel> debug_pixel;  // print its rays instead of rendering
   MachineOptions machine;
   RenderSessionOptions session;
-  std::string video;  // the file for a video of all frames; empty: none
-  double frames_per_second = 24;
-  std::string stats;  // a JSON file; empty: none
+  std::string video;                        // the file for a video of all frames; empty: none
+  std::optional<double> frames_per_second;  // of the video; none: 24
+  std::string stats;                        // a JSON file; empty: none
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
 };

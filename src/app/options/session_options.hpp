@@ -10,11 +10,12 @@
 
 namespace penumbra {
 
-inline constexpr double longest_duration = 1e8;  // seconds
+inline constexpr double seconds_between_checkpoints = 30;  // where no option says another
+inline constexpr double longest_duration = 1e8;            // seconds
 
 struct RenderSessionOptions {
   std::string checkpoint;            // the file; empty: none
-  double every = 30;                 // seconds between two checkpoints
+  std::optional<double> every;       // seconds between two checkpoints; none: 30
   bool resume = false;               // from the checkpoint, if there is one
   std::optional<double> time_limit;  // seconds
   std::optional<Shard> shard;

@@ -73,7 +73,7 @@ class RenderRun {
     }
     session_.finish();
     if (!asked_.video.empty()) {
-      write_video(asked_.video, first_files_, asked_.frames_per_second, ffmpeg);
+      write_video(asked_.video, first_files_, asked_.frames_per_second.value_or(usual_frames_per_second), ffmpeg);
       if (!asked_.quiet) fmt::print(stderr, "{}: {} frames\n", asked_.video, first_files_.size());
     }
     return EX_OK;

@@ -111,7 +111,8 @@ bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& st
     interruption_->stop_through(&state.stop);
     if (!to_save.empty()) saving = begin_save(std::exchange(to_save, {}), state.stop);
     {
-      Clock::time_point next_stop = start + to_duration(saves ? options_.every : longest_duration);
+      Clock::time_point next_stop =
+          start + to_duration(saves ? options_.every.value_or(seconds_between_checkpoints) : longest_duration);
       if (end_) next_stop = std::min(next_stop, *end_);
       const Alarm alarm(next_stop, state.stop);
       spent_.rays += render.run(state);

@@ -129,7 +129,7 @@ TEST(OptionTable, TheLinesOfTheWindowAreTheSceneLanguage) {
     const PictureOptions options = parsed(row, text);
     const Scene wanted = with_options(scene, options);
     const std::string lines = changed_lines(scene, options);
-    if (lines.starts_with("#")) return;  // of a command that cannot stand at the end
+    if (lines.find("# ") != lines.npos) return;  // of a command that cannot stand at the end
     const Scene read = test::scene_from(scene_text + lines);
     EXPECT_TRUE(read.settings == wanted.settings) << row.name << ' ' << text;
     EXPECT_EQ(read.camera.lens_radius, wanted.camera.lens_radius) << row.name;

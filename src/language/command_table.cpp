@@ -45,7 +45,7 @@ constexpr Argument field = {.name = "degrees", .low = 0, .high = 180, .above_low
 constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
 constexpr Argument name = {.name = "name", .kind = Kind::name};
-constexpr Argument year = {.name = "year", .kind = Kind::name}, word = {.name = "word", .kind = Kind::name};
+constexpr Argument year = {.name = "year", .kind = Kind::name}, ignored = {.name = "word", .kind = Kind::name};
 constexpr Argument which = {.name = "blinn|phong", .kind = Kind::name};
 constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
 constexpr Argument rays = whole("n", 1, most_rays_per_pixel), depth = whole("n", 0, most_depth),
@@ -161,7 +161,7 @@ constexpr std::array table{
     Command{"stone", surfaces, none, "solid coloured stones in grey mortar instead of the diffuse colour",
             actions::stone},
 
-    Command{"begin", shapes, Forms(form<>, form<word>),
+    Command{"begin", shapes, Forms(form<>, form<ignored>),
             "starts a triangle or a convex polygon; a word behind it is ignored", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
     Command{"texture_coord", shapes, takes<u, v>, "accepted, but without effect", actions::texture_coord},

@@ -41,7 +41,6 @@ const char* where(OptionUse use) {
     case OptionUse::render:
       return "`render`";
     case OptionUse::sums_only:
-      return "`render`; not in metadata";
     case OptionUse::output_only:
       return "`render`; not in metadata";
   }

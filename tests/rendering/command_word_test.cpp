@@ -1,4 +1,4 @@
-// How the program answers a word that is not one of its commands.
+// How the program answers a word that it does not know on its command line.
 #include <gtest/gtest.h>
 
 #include "base/test_folder.hpp"
@@ -32,6 +32,14 @@ TEST(CommandWord, ASceneAloneIsNotEnough) {
   const ProgramResult result = run("scene.cli");
   EXPECT_EQ(result.exit_code, 64);
   EXPECT_EQ(result.output, "penumbra: `penumbra render scene.cli -o OUT.png` renders a scene\n");
+}
+
+TEST(CommandWord, AWrongYearIsToldOnce) {
+  const ProgramResult result = run("render scene.cli -o OUT.png --course=2016");
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_EQ(result.output,
+            "--course: there is no course of `2016`; there are 2015, 2017, 2018, 2022\n"
+            "Run with --help for more information.\n");
 }
 
 }  // namespace

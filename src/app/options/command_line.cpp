@@ -28,7 +28,8 @@ void add_option(CLI::App& app, const CommandOption& option) {
   } else if (option.times == Times::equals_optional) {
     added = app.add_flag_function(
         option.name, [](std::int64_t) {}, option.help);
-    added->each([&option](const std::string& text) { take_or_throw(option, text == "true" ? "" : text); });
+    // CLI11 puts the option's name before what a check returns.
+    added->check([&option](const std::string& text) { return option.take(text == "true" ? "" : text); });
   } else if (option.times == Times::once || option.times == Times::value_optional) {
     added = app.add_option_function<std::string>(
         option.name, [&option](const std::string& text) { take_or_throw(option, text); }, option.help);
@@ -42,7 +43,9 @@ void add_option(CLI::App& app, const CommandOption& option) {
         option.help);
     added->allow_extra_args(option.times == Times::many);
   }
-  if (!option.metavar.empty()) added->type_name(option.metavar);
+  if (!option.metavar.empty()) {
+    added->type_name(option.times == Times::equals_optional ? fmt::format("[={}]", option.metavar) : option.metavar);
+  }
   added->required(option.required);
   if (option.hidden) added->group("");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 namespace penumbra {
 namespace {
@@ -20,7 +21,7 @@ std::filesystem::path with_frame_number(const std::filesystem::path& file, const
   return file.parent_path() / name;
 }
 
-int frame_digits(int last_frame) { return std::max(static_cast<int>(fmt::formatted_size("{}", last_frame)), 4); }
+int frame_digits(int last_frame) { return std::max(static_cast<int>(std::to_string(last_frame).size()), 4); }
 
 std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<Action>& actions,
                                                              const std::filesystem::path& scene,

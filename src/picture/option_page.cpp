@@ -2,31 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "language/reference_page.hpp"
 #include "picture/option_table.hpp"
 
 namespace penumbra {
 namespace {
-
-constexpr std::string_view introduction = R"(# Options that change a picture
-
-*This page is generated from the table of options (`make docs`).*
-
-`penumbra render` takes all of these options, `penumbra view` those that the last column does not reserve for `render`,
-and `penumbra check` only `--course` and `--lenient`. The command line overrides the scene. A picture file records the
-options it was made with as metadata, under the same names, so that the same file can be made again. The key **C** of
-the window copies changed settings as lines of the scene language.
-
-The options that affect only how a picture is made (threads, progress, checkpoints, shards, files) are listed by
-`penumbra render --help`.
-
-| option | meaning | default | in a scene | where |
-| --- | --- | --- | --- | --- |
-)";
-
-constexpr std::string_view ending = R"(
-Limits: 1 to {} pixels per side and at most {} in all; 1 to {} rays per pixel; 1 to {}
-rays of each kind per hit of an eye ray; depth 0 to {}.
-)";
 
 std::string with_escaped_bars(std::string_view text) {
   std::string escaped;
@@ -59,10 +39,17 @@ std::string row_of(const PictureOption& row) {
 
 }  // namespace
 
-std::string options_markdown() {
-  std::string page(introduction);
-  for (const PictureOption& row : option_table()) page += "| " + row_of(row) + " |\n";
-  return page + fmt::format(ending, most_side, most_pixels, most_rays_per_pixel, most_hit_rays, most_depth);
+std::string options_markdown(const std::filesystem::path& page_template) {
+  std::string rows;
+  for (const PictureOption& row : option_table()) {
+    rows += fmt::format("{}| {} |", rows.empty() ? "" : "\n", row_of(row));
+  }
+  return filled_page(page_template, {{"options", rows},
+                                     {"most side", fmt::format("{}", most_side)},
+                                     {"most pixels", fmt::format("{}", most_pixels)},
+                                     {"most rays", fmt::format("{}", most_rays_per_pixel)},
+                                     {"most hit rays", fmt::format("{}", most_hit_rays)},
+                                     {"most depth", fmt::format("{}", most_depth)}});
 }
 
 }  // namespace penumbra

@@ -1,0 +1,14 @@
+// Prints a reference page, `language` or `options`, from its template; the targets `language_page` and `options_page`
+// write them to docs/.
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "language/reference_page.hpp"
+#include "picture/option_page.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 64;
+  const bool is_language = std::string_view(argv[1]) == "language";
+  fmt::print("{}", is_language ? penumbra::language_markdown(argv[2]) : penumbra::options_markdown(argv[2]));
+}

@@ -1,6 +1,6 @@
-// Makes the table of src/sampling/bluenoise_mask.cpp, in a few minutes:
-//   g++ -std=c++20 -O3 -march=native scripts/make_bluenoise_mask.cpp -o make_mask && ./make_mask > mask.txt
-// writes the text of the table into mask.txt.
+// Makes src/sampling/bluenoise_mask.inc, in a few minutes:
+//   g++ -std=c++20 -O3 -march=native scripts/make_bluenoise_mask.cpp -o make_mask
+//   ./make_mask > src/sampling/bluenoise_mask.inc
 //
 // The energy of a mask is the sum over pairs of pixels p, q of G(p - q) K(place of p, place of q). G is a Gaussian, so
 // in the frequency domain the energy weights only low frequencies. K is the covariance of the errors of two pixels,
@@ -200,10 +200,10 @@ int main() {
   for (int i = 0; i < 10; i++) mask.sweep(5, random);
   const char* digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz+-";
   for (int i = 0; i < 4 * cells; i += side) {
-    std::printf("    \"");
+    std::printf("\"");
     for (int k = i; k < i + side; k++) {
       std::printf("%c%c", digits[mask.places()[k] / side], digits[mask.places()[k] % side]);
     }
-    std::printf("\"%s\n", i + side == 4 * cells ? ";" : "");
+    std::printf("\"\n");
   }
 }

@@ -17,7 +17,7 @@
 #include "geometry/embree_library.hpp"
 #include "language/scene_file.hpp"
 #include "rendering/isa.hpp"
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace {
 

@@ -1,11 +1,4 @@
 // The program: parses the command line, runs one subcommand and returns its exit code (those of <sysexits.h>).
-#include <fmt/format.h>
-#include <sysexits.h>
-
-#include <cstdio>
-#include <exception>
-#include <new>
-
 #include "app/check/check_command.hpp"
 #include "app/compare/compare_command.hpp"
 #include "app/farm/farm_command.hpp"
@@ -14,10 +7,8 @@
 #include "app/samples/samples_command.hpp"
 #include "app/view/view_command.hpp"
 
-namespace penumbra {
-namespace {
-
-int run(int argc, char** argv) {
+int main(int argc, char** argv) {
+  using namespace penumbra;
   RenderOptions render;
   CheckOptions check;
   CompareOptions compare;
@@ -33,18 +24,4 @@ int run(int argc, char** argv) {
                          farm_subcommand(farm),
                          view_subcommand()};
   return run_command_line(program, argc, argv);
-}
-
-}  // namespace
-}  // namespace penumbra
-
-int main(int argc, char** argv) {
-  try {
-    return penumbra::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "penumbra: not enough memory\n");
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "penumbra: {}\n", e.what());
-  }
-  return EX_SOFTWARE;
 }

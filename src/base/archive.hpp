@@ -3,7 +3,6 @@
 // structure for both.
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

@@ -14,11 +14,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "base/parse.hpp"
 
 namespace penumbra {
 namespace {
@@ -78,13 +79,6 @@ int write_all(int fd, std::span<const std::byte> bytes) {
 // Forces the data to the disk; returns the error number, 0 for none or where the file system cannot do it.
 int sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno; }
 
-std::optional<int> parse_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || number < 0) return std::nullopt;
-  return number;
-}
-
 // The descriptor that a name such as /dev/stdout stands for. Opening the name again would start at the beginning of a
 // file that the shell opened for appending, and replacing it would detach the shell from its file.
 std::optional<int> descriptor_named(const fs::path& path) {
@@ -92,7 +86,9 @@ std::optional<int> descriptor_named(const fs::path& path) {
   if (name == "/dev/stdout") return STDOUT_FILENO;
   if (name == "/dev/stderr") return STDERR_FILENO;
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    if (name.starts_with(folder)) return parse_number(std::string_view(name).substr(folder.size()));
+    if (!name.starts_with(folder)) continue;
+    const auto number = number_from<int>(std::string_view(name).substr(folder.size()));
+    if (number && *number >= 0) return number;
   }
   return std::nullopt;
 }
@@ -148,7 +144,7 @@ void remove_stale_temporaries(const fs::path& folder, std::string_view prefix) {
     name.remove_prefix(prefix.size());
     const std::size_t at = name.find('@');
     if (at == name.npos || !name.substr(at + 1).starts_with(host_name() + ".")) continue;
-    const std::optional<int> pid = parse_number(name.substr(0, at));
+    const std::optional<int> pid = number_from<int>(name.substr(0, at));
     if (pid && *pid > 0 && !is_alive(*pid)) ::unlinkat(::dirfd(listing), entry->d_name, 0);
   }
   ::closedir(listing);
@@ -176,8 +172,6 @@ bool link_as(const fs::path& target, const fs::path& second, const std::string& 
   ::unlink(temporary_link.c_str());
   return temporary.renamed;
 }
-
-enum class OldFile { goes, stays_as_previous };
 
 void replace_file(const fs::path& path, const fs::path& target, const struct stat* old,
                   std::span<const std::byte> bytes, OldFile old_file) {
@@ -211,7 +205,9 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
   temporary.renamed = true;
 }
 
-void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
   if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
@@ -219,16 +215,6 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes, OldFile 
   if (exists && S_ISDIR(old.st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
   if (descriptor_named(path) || (exists && !S_ISREG(old.st_mode))) return write_directly(path, bytes);
   replace_file(path, follow_links(path), exists ? &old : nullptr, bytes, old_file);
-}
-
-}  // namespace
-
-void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  write_file(path, bytes, OldFile::goes);
-}
-
-void write_file_keeping_previous(const fs::path& path, std::span<const std::byte> bytes) {
-  write_file(path, bytes, OldFile::stays_as_previous);
 }
 
 void force_folder_of(const fs::path& path) {

@@ -24,11 +24,12 @@ struct FileError : std::runtime_error {
 // existing file keeps its permissions, a new one gets those of the umask. Anything but a regular file (a pipe, a
 // terminal, /dev/stdout) is written to directly. Throws FileError: 73 when the file cannot be created, 74 when writing
 // it fails; the old file is then untouched and the temporary one removed.
-void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
-
-// The same, but the replaced file is kept under the name previous_of(path). If there was a file before, one of the two
-// names always holds a whole file.
-void write_file_keeping_previous(const std::filesystem::path& path, std::span<const std::byte> bytes);
+//
+// The old file may stay under the name previous_of(path). If there was a file before, one of the two names then always
+// holds a whole file.
+enum class OldFile { goes, stays_as_previous };
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                           OldFile old_file = OldFile::goes);
 
 // Forces the folder of such a file to the disk, which takes as long as writing a small file. The file is complete and
 // in place already, so failure is not reported.

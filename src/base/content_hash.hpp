@@ -25,8 +25,6 @@ class ContentHasher {
  public:
   ContentHasher();
   ~ContentHasher();
-  ContentHasher(const ContentHasher&) = delete;
-  ContentHasher& operator=(const ContentHasher&) = delete;
 
   // The boundaries between contents matter.
   void add(std::span<const std::byte> content);

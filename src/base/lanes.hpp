@@ -164,30 +164,19 @@ PENUMBRA_INLINE Floats to_floats(Ints a) {
           __builtin_convertvector(reinterpret_cast<IntVector>(a.hi), FloatVector)};
 }
 
-PENUMBRA_INLINE Floats load(const float* p) {
-  Floats a;
-  __builtin_memcpy(&a.lo, p, sizeof a.lo);
-  __builtin_memcpy(&a.hi, p + vector_lanes, sizeof a.hi);
+template <typename Lanes, typename Number>
+PENUMBRA_INLINE Lanes load_lanes(const Number* low, const Number* high) {
+  Lanes a;
+  __builtin_memcpy(&a.lo, low, sizeof a.lo);
+  __builtin_memcpy(&a.hi, high, sizeof a.hi);
   return a;
 }
-PENUMBRA_INLINE Ints load(const std::uint32_t* p) {
-  Ints a;
-  __builtin_memcpy(&a.lo, p, sizeof a.lo);
-  __builtin_memcpy(&a.hi, p + vector_lanes, sizeof a.hi);
-  return a;
-}
+PENUMBRA_INLINE Floats load(const float* p) { return load_lanes<Floats>(p, p + vector_lanes); }
+PENUMBRA_INLINE Ints load(const std::uint32_t* p) { return load_lanes<Ints>(p, p + vector_lanes); }
 // Loads one vector into both vectors of a packet.
-PENUMBRA_INLINE Ints load_twice(const std::uint32_t* p) {
-  Ints a;
-  __builtin_memcpy(&a.lo, p, sizeof a.lo);
-  a.hi = a.lo;
-  return a;
-}
-PENUMBRA_INLINE void store(float* p, Floats a) {
-  __builtin_memcpy(p, &a.lo, sizeof a.lo);
-  __builtin_memcpy(p + vector_lanes, &a.hi, sizeof a.hi);
-}
-PENUMBRA_INLINE void store(std::uint32_t* p, Ints a) {
+PENUMBRA_INLINE Ints load_twice(const std::uint32_t* p) { return load_lanes<Ints>(p, p); }
+template <typename Lanes, typename Number>
+PENUMBRA_INLINE void store(Number* p, Lanes a) {
   __builtin_memcpy(p, &a.lo, sizeof a.lo);
   __builtin_memcpy(p + vector_lanes, &a.hi, sizeof a.hi);
 }

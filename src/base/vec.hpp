@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace penumbra {
 
@@ -83,6 +84,13 @@ inline Affine translation(Vec3 t) {
 inline Affine scaling(Vec3 s) { return {{Vec3{s.x, 0, 0}, Vec3{0, s.y, 0}, Vec3{0, 0, s.z}}, {}}; }
 
 // Right-handed rotation by `degrees` about `axis` (any length but zero), by Rodrigues' formula.
-Affine rotation(double degrees, Vec3 axis);
+inline Affine rotation(double degrees, Vec3 axis) {
+  const Vec3 k = normalize(axis);
+  const double angle = degrees * std::numbers::pi / 180;
+  const double s = std::sin(angle);
+  const double c = std::cos(angle);
+  const auto rotate = [&](Vec3 v) { return v * c + cross(k, v) * s + k * (dot(k, v) * (1 - c)); };
+  return {{rotate({1, 0, 0}), rotate({0, 1, 0}), rotate({0, 0, 1})}, {}};
+}
 
 }  // namespace penumbra

@@ -19,27 +19,24 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A pipe that a child writes to and we read from.
-class Pipe {
- public:
+struct Pipe {
   Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   }
   ~Pipe() {
-    close(0);
-    close(1);
+    close_out();
+    ::close(ends[0]);
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  int in() const { return ends_[0]; }
-  int out() const { return ends_[1]; }
-  void close(std::size_t end) {
-    if (ends_[end] >= 0) ::close(std::exchange(ends_[end], -1));
+  int in() const { return ends[0]; }
+  int out() const { return ends[1]; }
+  void close_out() {
+    if (out() >= 0) ::close(std::exchange(ends[1], -1));
   }
-  void close_out() { close(1); }
 
- private:
-  std::array<int, 2> ends_{-1, -1};
+  std::array<int, 2> ends{-1, -1};
 };
 
 // Returns -1 if the program cannot be started.

@@ -6,7 +6,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
-#include "farm/scripts.hpp"
 
 namespace penumbra {
 namespace {

@@ -1,10 +1,10 @@
-#include "farm/scripts.hpp"
+#include "farm/job.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "farm/shell_words.hpp"
+#include "base/shell_words.hpp"
 
 namespace penumbra {
 namespace {

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
+#include <algorithm>
 #include <sstream>
-#include <string_view>
 
+#include "base/parse.hpp"
 #include "farm/child_process.hpp"
-#include "farm/scripts.hpp"
 
 namespace penumbra {
 namespace {
@@ -20,9 +19,7 @@ std::string asked(const std::vector<std::string>& command) {
   if (result.exit_code == 0) return result.output;
   std::string why = result.errors;
   while (!why.empty() && why.back() == '\n') why.pop_back();
-  for (char& letter : why) {
-    if (letter == '\n') letter = ';';
-  }
+  std::replace(why.begin(), why.end(), '\n', ';');
   throw SlurmError(
       fmt::format("`{}`: {}", command.front(), why.empty() ? fmt::format("exit code {}", result.exit_code) : why));
 }
@@ -37,22 +34,45 @@ std::vector<std::string_view> cut(std::string_view line, char separator) {
   }
 }
 
-std::optional<int> whole_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 // Parses "D-HH:MM:SS" without leading zero parts; 0 for anything else.
 double elapsed_seconds(std::string_view text) {
   double days = 0, seconds = 0;
   if (const std::size_t dash = text.find('-'); dash != text.npos) {
-    days = whole_number(text.substr(0, dash)).value_or(0);
+    days = number_from<int>(text.substr(0, dash)).value_or(0);
     text.remove_prefix(dash + 1);
   }
-  for (const std::string_view piece : cut(text, ':')) seconds = 60 * seconds + whole_number(piece).value_or(0);
+  for (const std::string_view piece : cut(text, ':')) seconds = 60 * seconds + number_from<int>(piece).value_or(0);
   return 86400 * days + seconds;
+}
+
+constexpr int longest = 366 * 24 * 60 * 60;  // seconds
+
+// The numbers between the colons; empty if anything else is there.
+std::vector<int> numbers_of(std::string_view text) {
+  std::vector<int> numbers = whole_numbers(text, ':');
+  const auto is_wrong = [](int number) { return number < 0 || number > longest; };
+  if (std::any_of(numbers.begin(), numbers.end(), is_wrong)) numbers.clear();
+  return numbers;
+}
+
+double seconds_of(std::string_view text) {
+  const std::size_t dash = text.find('-');
+  if (dash != text.npos) {
+    const std::vector<int> days = numbers_of(text.substr(0, dash)), rest = numbers_of(text.substr(dash + 1));
+    if (days.size() != 1 || rest.empty() || rest.size() > 3) return 0;
+    double seconds = 86400.0 * days[0], unit = 3600;
+    for (const int number : rest) {
+      seconds += unit * number;
+      unit /= 60;
+    }
+    return seconds;
+  }
+  if (text.find(':') == text.npos) return seconds_from(text, 60).value_or(0);
+  const std::vector<int> numbers = numbers_of(text);
+  if (numbers.empty() || numbers.size() > 3) return 0;
+  double seconds = 0;
+  for (const int number : numbers) seconds = 60 * seconds + number;
+  return seconds;
 }
 
 }  // namespace
@@ -70,7 +90,7 @@ std::vector<std::string> merge_command_after(const JobFolder& folder, const std:
 std::string submit(const std::vector<std::string>& command) {
   const std::string output = asked(command);
   std::string id = output.substr(0, output.find_first_of(";\n"));  // "ID" or "ID;CLUSTER"
-  if (!whole_number(id)) throw SlurmError(fmt::format("`{}` printed no job id, but `{}`", command.front(), output));
+  if (!number_from<int>(id)) throw SlurmError(fmt::format("`{}` printed no job id, but `{}`", command.front(), output));
   return id;
 }
 
@@ -88,7 +108,7 @@ Queue parse_queue(const Job& job, const std::string& lines) {
     QueuedTask task{fields[3] == "RUNNING", std::string(fields[3]), std::string(fields[5]), elapsed_seconds(fields[4])};
     if (fields[0] == merge_name(job)) {
       queue.merge = std::move(task);
-    } else if (const auto index = whole_number(fields[2]); index && fields[0] == job.name) {
+    } else if (const auto index = number_from<int>(fields[2]); index && fields[0] == job.name) {
       queue.tasks[*index] = std::move(task);
       queue.ids.emplace(fields[1]);
     }
@@ -105,11 +125,17 @@ std::optional<int> processors_of(const std::string& partition) {
       const auto fields = cut(line, '|');
       if (fields.size() != 2 || (partition.empty() && !fields[0].ends_with('*'))) continue;
       const auto counts = cut(fields[1], '/');
-      if (counts.size() == 4) return whole_number(counts[3]);
+      if (counts.size() == 4) return number_from<int>(counts[3]);
     }
   } catch (const SlurmError&) {
   }
   return std::nullopt;
+}
+
+std::optional<int> slurm_minutes(std::string_view text) {
+  const double seconds = seconds_of(text);
+  if (!(seconds > 0) || seconds > longest) return std::nullopt;
+  return static_cast<int>((seconds + 59.999) / 60);
 }
 
 }  // namespace penumbra

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "farm/job.hpp"
@@ -43,5 +44,9 @@ Queue parse_queue(const Job& job, const std::string& lines);
 
 // The number of processors in all nodes of a partition; none if Slurm does not say.
 std::optional<int> processors_of(const std::string& partition);
+
+// The minutes, rounded up, of "90" (minutes), "MM:SS", "HH:MM:SS", "D-HH", "D-HH:MM", "D-HH:MM:SS", or a number with
+// its unit: "90s", "30m", "2h", "1d". None for any other text, for 0 and for more than a year.
+std::optional<int> slurm_minutes(std::string_view text);
 
 }  // namespace penumbra

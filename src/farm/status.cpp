@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
 
 namespace penumbra {
@@ -42,6 +43,39 @@ std::string row(const char* name, const std::set<int>& units, bool tells_which) 
 }
 
 }  // namespace
+
+std::vector<bool> units_done(const Job& job, const JobFolder& folder,
+                             const std::function<bool(const std::filesystem::path&)>& is_whole) {
+  std::vector<bool> done(static_cast<std::size_t>(job.units()));
+  for (int unit = 0; unit < job.units(); unit++) {
+    bool all = true;
+    for (int picture = 1; all && picture <= job.pictures; picture++) {
+      const std::filesystem::path part = folder.part(job, unit, picture);
+      std::error_code error;
+      all = std::filesystem::is_regular_file(part, error) && is_whole(part);
+    }
+    done[static_cast<std::size_t>(unit)] = all;
+  }
+  return done;
+}
+
+std::optional<double> seconds_of_unit(const Job& job, const JobFolder& folder) {
+  constexpr int enough = 100;
+  const int step = std::max(1, job.units() / enough);
+  double sum = 0;
+  int count = 0;
+  for (int unit = 0; unit < job.units(); unit += step) {
+    try {
+      const Json stats = json_from(read_file(folder.stats(unit)));
+      for (const char* what : {"parse_seconds", "build_seconds", "render_seconds", "write_seconds"}) {
+        sum += stats.at(what).as<double>();
+      }
+      count++;
+    } catch (const std::exception&) {  // not rendered yet, or not by this program: the others are enough
+    }
+  }
+  return count == 0 ? std::nullopt : std::optional(sum / count);
+}
 
 JobStatus status_of(const Job& job, const JobState& state, const std::vector<bool>& done,
                     const std::optional<Queue>& queue, const std::string& silence,

@@ -6,37 +6,13 @@
 namespace penumbra {
 namespace {
 
-// The strokes of a character on a grid, 0-4 to the right and 0-6 down: two digits per place, spaces between strokes.
-std::string_view strokes_of(char character) {
-  switch (character) {
-    case '0':
-      return "103041453616050110";
-    case '1':
-      return "112026";
-    case '2':
-      return "011030414203060646";
-    case '3':
-      return "011030414233 334445361605";
-    case '4':
-      return "36300444";
-    case '5':
-      return "400003334445361605";
-    case '6':
-      return "4130100105163645443304";
-    case '7':
-      return "004016";
-    case '8':
-      return "1030414233130201 133344453616050413 0110";
-    case '9':
-      return "4233130201103041453616 1605";
-    case '.':
-      return "1616";
-    case '-':
-      return "0343";
-    default:
-      return "";
-  }
-}
+// The strokes of the characters on a grid, 0-4 to the right and 0-6 down: two digits per place, spaces between strokes.
+constexpr std::string_view drawn_characters = "0123456789.-";
+constexpr std::string_view strokes[] = {
+    "103041453616050110",          "112026",   "011030414203060646",
+    "011030414233 334445361605",   "36300444", "400003334445361605",
+    "4130100105163645443304",      "004016",   "1030414233130201 133344453616050413 0110",
+    "4233130201103041453616 1605", "1616",     "0343"};
 
 double distance_to_segment(double x, double y, Canvas::Point a, Canvas::Point b) {
   const double dx = b.first - a.first, dy = b.second - a.second;
@@ -56,21 +32,18 @@ Canvas::Canvas(int width, int height, const Color& background)
 // Calls f with each pixel that may be nearer than `reach`, and the distance of its centre.
 template <typename F>
 void Canvas::around(Point centre, double reach, F&& f) {
-  const auto [cx, cy] = centre;
-  const int left = std::max(clip_.x0, static_cast<int>(std::floor(cx - reach - 1)));
-  const int right = std::min(clip_.x1, static_cast<int>(std::ceil(cx + reach + 1)));
-  const int top = std::max(clip_.y0, static_cast<int>(std::floor(cy - reach - 1)));
-  const int bottom = std::min(clip_.y1, static_cast<int>(std::ceil(cy + reach + 1)));
-  for (int y = top; y < bottom; y++) {
-    for (int x = left; x < right; x++) f(x, y, std::hypot(x + 0.5 - cx, y + 0.5 - cy));
-  }
+  const double cx = centre.first, cy = centre.second;
+  const PixelRect near =
+      intersection({static_cast<int>(std::floor(cx - reach - 1)), static_cast<int>(std::floor(cy - reach - 1)),
+                    static_cast<int>(std::ceil(cx + reach + 1)), static_cast<int>(std::ceil(cy + reach + 1))},
+                   clip_);
+  for_pixels(near, [&](int x, int y) { f(x, y, std::hypot(x + 0.5 - cx, y + 0.5 - cy)); });
 }
 
 // `depth` is the distance of the pixel's centre from the edge of the shape, positive inside.
 void Canvas::blend(int x, int y, const Color& color, double depth) {
   const auto covered = static_cast<float>(std::clamp(0.5 + depth, 0.0, 1.0));
-  const auto width = static_cast<std::size_t>(image_.width);
-  float* out = &image_.rgb[3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x))];
+  float* out = &image_.rgb[3 * PixelRect{0, 0, image_.width, image_.height}.index_of(x, y)];
   for (int c = 0; c < 3; c++) out[c] += (color[c] - out[c]) * covered;
 }
 
@@ -90,10 +63,11 @@ void Canvas::curve(const std::vector<Point>& points, double width, const Color& 
   // First the distance to the nearest segment, so that joints are not painted twice.
   const double reach = width / 2 + 1;
   const auto bounds_of = [&](const Point& a, const Point& b) {
-    return PixelRect{std::max(clip_.x0, static_cast<int>(std::floor(std::min(a.first, b.first) - reach))),
-                     std::max(clip_.y0, static_cast<int>(std::floor(std::min(a.second, b.second) - reach))),
-                     std::min(clip_.x1, static_cast<int>(std::ceil(std::max(a.first, b.first) + reach))),
-                     std::min(clip_.y1, static_cast<int>(std::ceil(std::max(a.second, b.second) + reach)))};
+    const auto [left, right] = std::minmax(a.first, b.first);
+    const auto [top, bottom] = std::minmax(a.second, b.second);
+    return intersection({static_cast<int>(std::floor(left - reach)), static_cast<int>(std::floor(top - reach)),
+                         static_cast<int>(std::ceil(right + reach)), static_cast<int>(std::ceil(bottom + reach))},
+                        clip_);
   };
   PixelRect all = bounds_of(points[0], points[0]);
   for (const Point& point : points) {
@@ -102,23 +76,15 @@ void Canvas::curve(const std::vector<Point>& points, double width, const Color& 
            std::max(all.y1, window.y1)};
   }
   if (all.x0 >= all.x1 || all.y0 >= all.y1) return;
-  std::vector<double> nearest(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height()), 1e9);
-  const auto nearest_at = [&](int x, int y) -> double& {
-    return nearest[static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
-                   static_cast<std::size_t>(x - all.x0)];
-  };
+  std::vector<double> nearest(all.pixel_count(), 1e9);
   for (std::size_t i = 0; i < points.size(); i++) {
     const Point &a = points[i > 0 ? i - 1 : 0], &b = points[i];
-    const PixelRect window = bounds_of(a, b);
-    for (int y = window.y0; y < window.y1; y++) {
-      for (int x = window.x0; x < window.x1; x++) {
-        nearest_at(x, y) = std::min(nearest_at(x, y), distance_to_segment(x + 0.5, y + 0.5, a, b));
-      }
-    }
+    for_pixels(bounds_of(a, b), [&](int x, int y) {
+      double& distance = nearest[all.index_of(x, y)];
+      distance = std::min(distance, distance_to_segment(x + 0.5, y + 0.5, a, b));
+    });
   }
-  for (int y = all.y0; y < all.y1; y++) {
-    for (int x = all.x0; x < all.x1; x++) blend(x, y, color, width / 2 - nearest_at(x, y));
-  }
+  for_pixels(all, [&](int x, int y) { blend(x, y, color, width / 2 - nearest[all.index_of(x, y)]); });
 }
 
 void Canvas::number(Point centre, double height, std::string_view text, const Color& color) {
@@ -127,14 +93,15 @@ void Canvas::number(Point centre, double height, std::string_view text, const Co
   const double top = centre.second - height / 2;
   for (const char character : text) {
     std::vector<Point> stroke;
-    const std::string_view strokes = strokes_of(character);
-    for (std::size_t i = 0; i < strokes.size(); i++) {
-      if (strokes[i] == ' ') {
+    const std::size_t which = drawn_characters.find(character);
+    const std::string_view places = which == drawn_characters.npos ? "" : strokes[which];
+    for (std::size_t i = 0; i < places.size(); i++) {
+      if (places[i] == ' ') {
         curve(stroke, 0.13 * height, color);
         stroke.clear();
         continue;
       }
-      const double x = strokes[i] - '0', y = strokes[++i] - '0';
+      const double x = places[i] - '0', y = places[++i] - '0';
       stroke.emplace_back(left + x * unit, top + y * unit);
     }
     curve(stroke, 0.13 * height, color);

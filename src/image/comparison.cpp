@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "image/flip.hpp"
-#include "image/ssim.hpp"
-
 namespace penumbra {
 namespace {
 
@@ -54,19 +51,8 @@ Verdict judge(const std::vector<float>& differences, const Thresholds& limits) {
 }  // namespace
 
 std::string to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::same:
-      return "same";
-    case Verdict::warning:
-      return "warning";
-    case Verdict::failed:
-      return "failed";
-    case Verdict::different_size:
-      return "different size";
-    case Verdict::no_such_file:
-      return "no such file";
-  }
-  return "";
+  constexpr const char* names[] = {"same", "warning", "failed", "different size", "no such file"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 bool can_compare(const ImageFile& a, const ImageFile& b) {

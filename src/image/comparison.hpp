@@ -53,4 +53,10 @@ bool can_compare(const ImageFile& a, const ImageFile& b);
 // layer in one file only is a failure if the other file has any, and is ignored if it has none (a PNG, say).
 Comparison compare(const ImageFile& a, const ImageFile& b, const Thresholds& thresholds);
 
+// A false-colour picture of where two pictures differ: from black through violet, red and orange to pale yellow, each
+// colour lighter than the one before, so that it also works in grey and for colour-blind viewers.
+//
+// One pixel per difference: black for 0, pale yellow for `scale` and more, including infinity.
+Image heatmap(const std::vector<float>& differences, int width, int height, float scale);
+
 }  // namespace penumbra

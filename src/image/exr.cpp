@@ -8,7 +8,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/shared_library.hpp"
-#include "image/exr_module.hpp"
 #include "image/limits.hpp"
 
 namespace penumbra {

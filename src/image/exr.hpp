@@ -23,4 +23,15 @@ bool is_exr(std::span<const std::byte> bytes);
 // when the file is damaged, has neither colours nor grey, or is larger than 2^28 pixels.
 ImageFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
 
+// The code that uses OpenEXR is in a separate module, exr_module.cpp, that is loaded when the first EXR file is read or
+// written, because loading OpenEXR takes as long as rendering a small picture. Like encode_exr and decode_exr, but both
+// throw std::exception with only the reason.
+struct ExrModule {
+  std::vector<std::byte> (*encode)(const ImageFile& file);
+  ImageFile (*decode)(std::span<const std::byte> bytes, const std::string& name);
+};
+
+// The only function that the module exports.
+extern "C" __attribute__((visibility("default"))) const ExrModule* penumbra_exr_module();
+
 }  // namespace penumbra

@@ -1,5 +1,5 @@
 // Encodes and decodes EXR in memory with the OpenEXR library; see exr.hpp.
-#include "image/exr_module.hpp"
+#include "image/exr.hpp"
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 
 #include "image/limits.hpp"
@@ -160,15 +160,6 @@ bool has_all_attributes(std::span<const std::byte> bytes) {
   return at < bytes.size();
 }
 
-// Sets OpenEXR's own limit on sizes, which it checks before it allocates memory for lines.
-void limit_size() {
-  static const bool done = [] {
-    Imf::Header::setMaxImageSize(largest_image_side, largest_image_side);
-    return true;
-  }();
-  static_cast<void>(done);
-}
-
 ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
   Imf::InputFile exr(input, 0);
   const Imf::Header& header = exr.header();
@@ -207,10 +198,9 @@ std::vector<std::byte> encode(const ImageFile& file) {
     const Imf::Header header = header_for(file);
     Imf::OutputFile exr(output, header, 0);
     Imf::FrameBuffer frame;
-    const float* rgb = file.image.rgb.data();
-    frame.insert("R", slice(rgb, header.dataWindow(), 3));
-    frame.insert("G", slice(rgb + 1, header.dataWindow(), 3));
-    frame.insert("B", slice(rgb + 2, header.dataWindow(), 3));
+    for (int c = 0; const char* name : {"R", "G", "B"}) {
+      frame.insert(name, slice(file.image.rgb.data() + c++, header.dataWindow(), 3));
+    }
     for (const Channel& layer : file.layers) {
       frame.insert(layer.name, slice(layer.values.data(), header.dataWindow(), 1));
     }
@@ -222,7 +212,9 @@ std::vector<std::byte> encode(const ImageFile& file) {
 }
 
 ImageFile decode(std::span<const std::byte> bytes, const std::string& name) {
-  limit_size();
+  // OpenEXR's own limit on sizes, which it checks before it allocates memory for lines.
+  static std::once_flag limit_set;
+  std::call_once(limit_set, [] { Imf::Header::setMaxImageSize(largest_image_side, largest_image_side); });
   if (!has_all_attributes(bytes)) throw std::runtime_error("the file ends too early");
   MemoryInput input(bytes, name);
   return read_picture(input, bytes.size());

@@ -1,7 +1,7 @@
 // Section and equation names follow the paper: the colour pipeline (4.1: filter by contrast sensitivity, Hunt-adjusted
 // L*a*b*, HyAB distance, compression) and the feature pipeline (4.2: edges and points), joined in 4.3. All filters are
 // sums of separable ones and are applied as such; at the border the last pixel repeats.
-#include "image/flip.hpp"
+#include "image/metrics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,8 +25,6 @@ Plane make_plane(int width, int height) {
   return {width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
 }
 
-// ------------------------------------------------------------------------------------------------------ colour spaces
-
 // sRGB primaries (IEC 61966-2-1) with white point D65.
 Affine xyz_from_linear_rgb() {
   const auto of_chromaticity = [](double x, double y) { return Vec3{x / y, 1, (1 - x - y) / y}; };
@@ -43,7 +41,6 @@ struct ColourSpaces {
 };
 
 Vec3 each(Vec3 v, double (*function)(double)) { return {function(v.x), function(v.y), function(v.z)}; }
-Vec3 product(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 Vec3 quotient(Vec3 a, Vec3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 
 // Written so that NaN becomes 0.
@@ -60,7 +57,7 @@ Vec3 opponent_from_rgb(const ColourSpaces& spaces, Vec3 rgb) {
 Vec3 rgb_from_opponent(const ColourSpaces& spaces, Vec3 opponent) {
   const double y = (opponent.x + 16) / 116;
   const Vec3 t{y + opponent.y / 500, y, y - opponent.z / 200};
-  return transform_vector(spaces.rgb_from_xyz, product(t, spaces.white));
+  return transform_vector(spaces.rgb_from_xyz, t * spaces.white);
 }
 
 // CIE 15: the cube root, continued by a line near zero.
@@ -78,8 +75,6 @@ Vec3 hunt_lab_from_rgb(const ColourSpaces& spaces, Vec3 rgb) {
 
 // Abasi, Tehran, Fairchild 2020: city-block in lightness, Euclidean in chroma.
 double hyab(Vec3 a, Vec3 b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
-
-// ------------------------------------------------------------------------------------------------------------ filters
 
 // Weights for the offsets -r..r.
 using Kernel = std::vector<double>;
@@ -134,8 +129,6 @@ Plane filter_columns(const Plane& plane, const Kernel& down) {
   }
   return result;
 }
-
-// --------------------------------------------------------------------------------------------------- colour difference
 
 // One term a sqrt(pi/b) exp(-pi^2 d^2 / b) of a spatial contrast sensitivity function, d in degrees.
 struct SensitivityTerm {
@@ -209,8 +202,6 @@ double colour_error(double distance, double largest) {
   if (compressed < knee) return pt / knee * compressed;
   return pt + (compressed - knee) / (largest - knee) * (1 - pt);
 }
-
-// -------------------------------------------------------------------------------------------------- feature difference
 
 // Scales the negative weights to sum -1 and the positive ones to sum 1, separately.
 Kernel balanced(Kernel kernel) {

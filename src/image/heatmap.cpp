@@ -1,10 +1,12 @@
-#include "image/heatmap.hpp"
+#include "image/comparison.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace penumbra {
+namespace {
 
+// The ramp's colour for t, which is clamped to 0..1.
 void heat_colour(float t, float rgb[3]) {
   constexpr std::array<std::array<float, 3>, 6> ramp{{{0.00f, 0.00f, 0.00f},
                                                       {0.22f, 0.08f, 0.45f},
@@ -18,6 +20,8 @@ void heat_colour(float t, float rgb[3]) {
   const float part = place - static_cast<float>(below);
   for (std::size_t c = 0; c < 3; c++) rgb[c] = ramp[below][c] + part * (ramp[below + 1][c] - ramp[below][c]);
 }
+
+}  // namespace
 
 Image heatmap(const std::vector<float>& differences, int width, int height, float scale) {
   Image image = make_image(width, height);

@@ -1,10 +1,8 @@
 #include "image/image_file.hpp"
 
 #include <fmt/format.h>
+#include <strings.h>
 #include <sysexits.h>
-
-#include <algorithm>
-#include <string>
 
 #include "base/atomic_file.hpp"
 #include "image/exr.hpp"
@@ -13,10 +11,9 @@
 namespace penumbra {
 
 ImageFormat format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return ending == ".png" ? ImageFormat::png : ending == ".exr" ? ImageFormat::exr : ImageFormat::none;
+  const std::filesystem::path ending = path.extension();
+  if (::strcasecmp(ending.c_str(), ".png") == 0) return ImageFormat::png;
+  return ::strcasecmp(ending.c_str(), ".exr") == 0 ? ImageFormat::exr : ImageFormat::none;
 }
 
 std::vector<std::byte> encode_image(const ImageFile& file, ImageFormat format, const Quantization& quantization) {

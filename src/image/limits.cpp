@@ -10,9 +10,9 @@
 namespace penumbra {
 
 void require_image_size(int width, int height, std::size_t value_count, int values_per_pixel) {
-  const bool possible = width > 0 && height > 0 && width <= largest_image_side && height <= largest_image_side &&
-                        std::int64_t{width} * height <= most_pixels;
-  if (!possible) throw FileError(EX_SOFTWARE, fmt::format("cannot write a picture of {} x {} pixels", width, height));
+  if (!is_plausible_size(width, height, 0, 0)) {
+    throw FileError(EX_SOFTWARE, fmt::format("cannot write a picture of {} x {} pixels", width, height));
+  }
   if (value_count != static_cast<std::size_t>(std::int64_t{width} * height * values_per_pixel)) {
     throw FileError(EX_SOFTWARE,
                     fmt::format("a picture of {} x {} pixels comes with {} values", width, height, value_count));

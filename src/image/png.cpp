@@ -35,8 +35,6 @@ void keep_message(png_structp png, png_const_charp message) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-// ---------------------------------------------------------------------------------------------------------- writing
-
 struct Writer {
   Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)) {
     if (png) info = png_create_info_struct(png);
@@ -128,8 +126,6 @@ bool write_picture(Writer& writer, const Image& image, int bits, std::span<png_t
 bool is_ascii(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
-
-// ---------------------------------------------------------------------------------------------------------- reading
 
 struct Reader {
   explicit Reader(std::span<const std::byte> all)

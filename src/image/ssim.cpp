@@ -1,13 +1,11 @@
 // The Gaussian window is separable: each row of windows is first summed down the columns, then along the row, in double
 // precision, so that the variances (equation 15) can be differences of moments.
-#include "image/ssim.hpp"
+#include "image/metrics.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
-
-#include "image/metrics.hpp"
 
 namespace penumbra {
 namespace {

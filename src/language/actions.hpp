@@ -1,88 +1,41 @@
 // What the commands of the language do. Each receives arguments already checked against the command table.
 #pragma once
 
+#include <type_traits>
+
 #include "language/command.hpp"
 #include "language/reading.hpp"
 
 namespace penumbra::actions {
 
 // output_actions.cpp
-void background(Reading&, const Call&);
-void image_size(Reading&, const Call&);
-void write(Reading&, const Call&);
-void render(Reading&, const Call&);
-void read(Reading&, const Call&);
-void reset_timer(Reading&, const Call&);
-void print_timer(Reading&, const Call&);
-void course(Reading&, const Call&);
-void color(Reading&, const Call&);
-void rect(Reading&, const Call&);
+CommandFunction background, image_size, write, render, read, reset_timer, print_timer, course, color, rect;
 
 // camera_actions.cpp
-void fov(Reading&, const Call&);
-void eye(Reading&, const Call&);
-void uvw(Reading&, const Call&);
-void lens(Reading&, const Call&);
-void camera_lens(Reading&, const Call&);
-void shutter(Reading&, const Call&);
-void rays_per_pixel(Reading&, const Call&);
-void sampler(Reading&, const Call&);
-void seed(Reading&, const Call&);
-void max_depth(Reading&, const Call&);
-void reflection_rays(Reading& reading, const Call& call);
-void transmission_rays(Reading& reading, const Call& call);
-void shadow_rays(Reading& reading, const Call& call);
+CommandFunction fov, eye, uvw, lens, camera_lens, shutter, sampler;
+
+// Stores a whole number in the settings.
+template <auto setting>
+void set(Reading& reading, const Call& call) {
+  auto& value = reading.builder.change().settings.*setting;
+  value = static_cast<std::remove_reference_t<decltype(value)>>(call[0]);
+}
 
 // light_actions.cpp
-void point_light(Reading&, const Call&);
-void light_of_2018(Reading&, const Call&);
-void disk_light(Reading&, const Call&);
-void quad_light(Reading&, const Call&);
-void spotlight(Reading&, const Call&);
+CommandFunction point_light, light_of_2018, disk_light, quad_light, spotlight;
 
 // surface_actions.cpp
-void surface(Reading&, const Call&);
-void surface_of_2018(Reading&, const Call&);
-void highlight(Reading&, const Call&);
-void diffuse(Reading&, const Call&);
-void reflective(Reading&, const Call&);
-void shiny(Reading&, const Call&);
-void glossy(Reading&, const Call&);
-void translucent(Reading&, const Call&);
-void noise(Reading&, const Call&);
-void wood(Reading&, const Call&);
-void marble(Reading&, const Call&);
-void stone(Reading&, const Call&);
+CommandFunction surface, surface_of_2018, highlight, diffuse, reflective, shiny, glossy, translucent, noise, wood,
+    marble, stone;
 
 // shape_actions.cpp
-void begin(Reading&, const Call&);
-void vertex(Reading&, const Call&);
-void texture_coord(Reading&, const Call&);
-void end(Reading&, const Call&);
-void sphere(Reading&, const Call&);
-void sphere_of_2018(Reading&, const Call&);
-void moving_sphere(Reading&, const Call&);
-void box(Reading&, const Call&);
-void cylinder(Reading&, const Call&);
-void hollow_cylinder(Reading&, const Call&);
-void cone(Reading&, const Call&);
-void mesh(Reading&, const Call&);
+CommandFunction begin, vertex, texture_coord, end, sphere, sphere_of_2018, moving_sphere, box, cylinder,
+    hollow_cylinder, cone, mesh;
 
 // group_actions.cpp
-void moving_object(Reading&, const Call&);
-void begin_group(Reading&, const Call&);
-void end_group(Reading&, const Call&);
-void named_object(Reading&, const Call&);
-void instance(Reading&, const Call&);
+CommandFunction moving_object, begin_group, end_group, named_object, instance;
 
 // matrix_actions.cpp
-void push(Reading&, const Call&);
-void pop(Reading&, const Call&);
-void translate(Reading&, const Call&);
-void scale(Reading&, const Call&);
-void rotate(Reading&, const Call&);
-void rotate_x(Reading&, const Call&);
-void rotate_y(Reading&, const Call&);
-void rotate_z(Reading&, const Call&);
+CommandFunction push, pop, translate, scale, rotate, rotate_x, rotate_y, rotate_z;
 
 }  // namespace penumbra::actions

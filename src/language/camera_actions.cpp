@@ -1,9 +1,9 @@
 // The commands for the camera and for how its rays are spent.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <iterator>
 
+#include "base/parse.hpp"
 #include "language/actions.hpp"
 #include "language/near_word.hpp"
 #include "sampling/pattern.hpp"
@@ -17,7 +17,7 @@ void uvw(Reading& reading, const Call& call) {
   const Vec3 u = call.vec(0), v = call.vec(3), w = call.vec(6);
   const double volume = dot(u, cross(v, w));
   if (!(std::abs(volume) > 0)) {
-    return reading.diagnostics.error(call.place(), "the three vectors of `uvw` lie in one plane");
+    return reading.error(call.place(), "the three vectors of `uvw` lie in one plane");
   }
   Camera& camera = reading.builder.change().camera;
   camera.right = u;
@@ -27,9 +27,8 @@ void uvw(Reading& reading, const Call& call) {
 
 void lens(Reading& reading, const Call& call) {
   if (call[0] > 0 && call[1] <= 0) {
-    return reading.diagnostics.error(
-        call.place_of_argument(1),
-        fmt::format("`dist` of `lens` has to be greater than 0; found {}", in_quotes(call.word(1))));
+    return reading.error(call.place_of_argument(1), "`dist` of `lens` has to be greater than 0; found {}",
+                         in_quotes(call.word(1)));
   }
   Camera& camera = reading.builder.change().camera;
   camera.lens_radius = call[0];
@@ -41,12 +40,11 @@ void camera_lens(Reading& reading, const Call& call) {
   const double focal_length = call[0], f_number = call[1], focus = call[2];
   const double radius = focal_length / (2 * f_number);
   if (radius > largest_number) {
-    return reading.diagnostics.error(call.place_of_argument(1), "the aperture F/n of `camera_lens` is too large");
+    return reading.error(call.place_of_argument(1), "the aperture F/n of `camera_lens` is too large");
   }
   if (focus <= focal_length) {
-    return reading.diagnostics.error(
-        call.place_of_argument(2),
-        fmt::format("`P` of `camera_lens` has to be greater than `F`; found {}", in_quotes(call.word(2))));
+    return reading.error(call.place_of_argument(2), "`P` of `camera_lens` has to be greater than `F`; found {}",
+                         in_quotes(call.word(2)));
   }
   Camera& camera = reading.builder.change().camera;
   camera.lens_radius = radius;
@@ -57,21 +55,17 @@ void camera_lens(Reading& reading, const Call& call) {
 
 void shutter(Reading& reading, const Call& call) {
   if (call[1] < call[0]) {
-    return reading.diagnostics.error(call.place_of_argument(1),
-                                     "the shutter closes before it opens: `close` has to be `open` or more");
+    return reading.error(call.place_of_argument(1),
+                         "the shutter closes before it opens: `close` has to be `open` or more");
   }
   Camera& camera = reading.builder.change().camera;
   camera.shutter_open = call[0];
   camera.shutter_close = call[1];
 }
 
-void rays_per_pixel(Reading& reading, const Call& call) {
-  reading.builder.change().settings.rays_per_pixel = call.whole(0);
-}
-
 void sampler(Reading& reading, const Call& call) {
   const std::string_view name = call.word(0);
-  if (const std::optional<Pattern> pattern = pattern_from_name(name)) {
+  if (const std::optional<Pattern> pattern = value_named<Pattern>(name, pattern_names)) {
     reading.builder.change().settings.pattern = *pattern;
     return;
   }
@@ -80,21 +74,5 @@ void sampler(Reading& reading, const Call& call) {
       fmt::format("there is no sampler {}; there are {}", in_quotes(name), fmt::join(pattern_names, ", ")),
       did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
-
-void seed(Reading& reading, const Call& call) {
-  reading.builder.change().settings.seed = static_cast<std::uint32_t>(call[0]);
-}
-
-void max_depth(Reading& reading, const Call& call) { reading.builder.change().settings.max_depth = call.whole(0); }
-
-void reflection_rays(Reading& reading, const Call& call) {
-  reading.builder.change().settings.reflection_rays = call.whole(0);
-}
-
-void transmission_rays(Reading& reading, const Call& call) {
-  reading.builder.change().settings.transmission_rays = call.whole(0);
-}
-
-void shadow_rays(Reading& reading, const Call& call) { reading.builder.change().settings.shadow_rays = call.whole(0); }
 
 }  // namespace penumbra::actions

@@ -3,33 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <unordered_map>
 #include <vector>
 
 #include "language/near_word.hpp"
 
 namespace penumbra {
 namespace {
-
-constexpr std::size_t slots = 256;
-constexpr std::uint8_t empty_slot = 255;
-
-// Enough to tell most commands apart; those that collide take neighbouring slots.
-std::size_t hash_of(std::string_view name) {
-  const auto at = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(name[i])); };
-  return (name.size() * 7 + at(0) * 31 + at(name.size() / 2) * 5 + at(name.size() - 1) * 3) % slots;
-}
-
-std::array<std::uint8_t, slots> make_index() {
-  std::array<std::uint8_t, slots> index;
-  index.fill(empty_slot);
-  const std::span<const Command> commands = all_commands();
-  for (std::size_t i = 0; i < commands.size(); i++) {
-    std::size_t slot = hash_of(commands[i].name);
-    while (index[slot] != empty_slot) slot = (slot + 1) % slots;
-    index[slot] = static_cast<std::uint8_t>(i);
-  }
-  return index;
-}
 
 std::string what_a_form_takes(const Form& form) {
   if (form.count() == 0) return "nothing";
@@ -41,19 +21,18 @@ std::string what_a_form_takes(const Form& form) {
 }  // namespace
 
 const Command* find_command(std::string_view name, bool of_2018) {
-  if (name.empty()) return nullptr;
   if (of_2018) {
     for (const Command& command : commands_of_2018()) {
       if (command.name == name) return &command;
     }
   }
-  static const std::array<std::uint8_t, slots> index = make_index();
-  const std::span<const Command> commands = all_commands();
-  for (std::size_t slot = hash_of(name); index[slot] != empty_slot; slot = (slot + 1) % slots) {
-    const Command& command = commands[index[slot]];
-    if (command.name == name) return &command;
-  }
-  return nullptr;
+  static const std::unordered_map<std::string_view, const Command*> index = [] {
+    std::unordered_map<std::string_view, const Command*> commands;
+    for (const Command& command : all_commands()) commands.emplace(command.name, &command);
+    return commands;
+  }();
+  const auto found = index.find(name);
+  return found == index.end() ? nullptr : found->second;
 }
 
 std::string_view nearest_command(std::string_view word) {
@@ -73,7 +52,7 @@ std::string argument_names(const Form& form) {
 
 std::string what_it_takes(const Command& command) {
   std::string text;
-  for (const Form& form : command.forms.all()) {
+  for (const Form& form : command.forms) {
     if (!text.empty()) text += ", or ";
     text += what_a_form_takes(form);
   }

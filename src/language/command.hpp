@@ -38,28 +38,18 @@ struct Form {
   constexpr int count() const { return static_cast<int>(argument.size()); }
 };
 
-// The forms of a command: usually one, at most two, which differ in the number of arguments.
-struct Forms {
-  std::array<Form, 2> form{};
-  int count = 1;
-
-  constexpr explicit Forms(const Form& only) : form{only, Form{}} {}
-  constexpr Forms(const Form& first, const Form& second) : form{first, second}, count(2) {}
-  std::span<const Form> all() const { return {form.data(), static_cast<std::size_t>(count)}; }
-};
-
 enum class Section : std::uint8_t { output, camera, sampling, lights, surfaces, shapes, groups, matrix };
 
 struct Call;
 struct Reading;
-using CommandFunction = void (*)(Reading&, const Call&);
+using CommandFunction = void(Reading&, const Call&);
 
 struct Command {
   std::string_view name;
   Section section;
-  Forms forms;
-  std::string_view help;  // one line, no full stop
-  CommandFunction action;
+  std::span<const Form> forms;  // usually one, at most two, which differ in the number of arguments
+  std::string_view help;        // one line, no full stop
+  CommandFunction* action;
   bool in_polygon = true;  // may stand between `begin` and `end`
 };
 
@@ -86,7 +76,7 @@ std::span<const Command> all_commands();
 // The command of that name; null if there is none. `of_2018`: in the order of that year.
 const Command* find_command(std::string_view name, bool of_2018 = false);
 
-// Those that have other arguments in 2018.
+// The commands whose arguments differ in 2018.
 std::span<const Command> commands_of_2018();
 
 // Whether `word` is a command that only other programs know: from later projects of the course, or a private extension.

@@ -63,14 +63,16 @@ constexpr std::array<Argument, sizeof...(arguments)> list{arguments...};
 template <const Argument&... arguments>
 constexpr Form form{list<arguments...>};
 template <const Argument&... arguments>
-constexpr Forms takes{form<arguments...>};
-constexpr Forms none = takes<>;
+constexpr std::array<Form, 1> takes{form<arguments...>};
+template <const Form& first, const Form& second>
+constexpr std::array<Form, 2> either{first, second};
+constexpr std::span<const Form> none = takes<>;
 
 using enum Section;
 constexpr bool no = false;  // may not stand between `begin` and `end`
 
 constexpr std::array table{
-    Command{"course", output, Forms(form<>, form<year>),
+    Command{"course", output, either<form<>, form<year>>,
             "the course's own picture, to the pixel, as with --course; of a year that drew some things in its own way: "
             "2015, 2017, 2018 or 2022; before every other command",
             actions::course},
@@ -109,21 +111,23 @@ constexpr std::array table{
     Command{"shutter", camera, takes<shutter_open, shutter_close>, "the time during which the shutter is open; 0 1",
             actions::shutter},
 
-    Command{"rays_per_pixel", sampling, takes<rays>, "rays through each pixel; 1", actions::rays_per_pixel},
+    Command{"rays_per_pixel", sampling, takes<rays>, "rays through each pixel; 1",
+            actions::set<&Settings::rays_per_pixel>},
     Command{"sampler", sampling, takes<name>,
             "the pattern of the sample points: regular, random, jittered, multijittered, poisson, halton, sobol or "
             "bluenoise; sobol",
             actions::sampler},
-    Command{"seed", sampling, takes<any_seed>, "selects the random numbers; 0", actions::seed},
+    Command{"seed", sampling, takes<any_seed>, "selects the random numbers; 0", actions::set<&Settings::seed>},
     Command{"max_depth", sampling, takes<depth>,
-            "at this depth, no further rays are sent; the ray from the eye has depth 0; 8", actions::max_depth},
+            "at this depth, no further rays are sent; the ray from the eye has depth 0; 8",
+            actions::set<&Settings::max_depth>},
     Command{"reflection_rays", sampling, takes<rays_each>,
             "reflected rays from each hit of a ray from the eye; every deeper hit sends one; 1",
-            actions::reflection_rays},
+            actions::set<&Settings::reflection_rays>},
     Command{"transmission_rays", sampling, takes<rays_each>, "the same for transmitted rays; 1",
-            actions::transmission_rays},
+            actions::set<&Settings::transmission_rays>},
     Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each light with an area; 1",
-            actions::shadow_rays},
+            actions::set<&Settings::shadow_rays>},
 
     Command{"light", lights, takes<x, y, z, r, g, b>, "a point light, equally bright at every distance",
             actions::point_light},
@@ -138,7 +142,7 @@ constexpr std::array table{
             "a light in one direction: full up to `inner` degrees from it, fading to none at `outer`",
             actions::spotlight},
 
-    Command{"surface", surfaces, Forms(form<dr, dg, db>, form<dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl>),
+    Command{"surface", surfaces, either<form<dr, dg, db>, form<dr, dg, db, ar, ag, ab, sr, sg, sb, spec_pow, k_refl>>,
             "diffuse only; or ambient, specular and mirror too", actions::surface},
     Command{"diffuse", surfaces, takes<dr, dg, db, ar, ag, ab>, "diffuse and ambient", actions::diffuse},
     Command{"reflective", surfaces, takes<dr, dg, db, ar, ag, ab, k_refl>, "diffuse, ambient and mirror",
@@ -161,7 +165,7 @@ constexpr std::array table{
     Command{"stone", surfaces, none, "solid coloured stones in grey mortar instead of the diffuse colour",
             actions::stone},
 
-    Command{"begin", shapes, Forms(form<>, form<ignored>),
+    Command{"begin", shapes, either<form<>, form<ignored>>,
             "starts a triangle or a convex polygon; a word behind it is ignored", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
     Command{"texture_coord", shapes, takes<u, v>, "accepted, but without effect", actions::texture_coord},
@@ -210,13 +214,13 @@ constexpr std::array table{
 
 constexpr std::array table_of_2018{
     Command{"light", lights, takes<r, g, b, x, y, z>, "a point light", actions::light_of_2018},
-    Command{"surface", surfaces, Forms(form<dr, dg, db>, form<ar, ag, ab, dr, dg, db, sr, sg, sb, spec_pow, k_refl>),
+    Command{"surface", surfaces, either<form<dr, dg, db>, form<ar, ag, ab, dr, dg, db, sr, sg, sb, spec_pow, k_refl>>,
             "diffuse only; or with ambient first", actions::surface_of_2018},
     Command{"sphere", shapes, takes<x, y, z, radius>, "a sphere round the point x y z", actions::sphere_of_2018, no},
 };
 
 constexpr bool has_room_in_call(const Command& command) {
-  return std::ranges::all_of(command.forms.form, [](const Form& form) { return form.count() <= most_arguments; });
+  return std::ranges::all_of(command.forms, [](const Form& form) { return form.count() <= most_arguments; });
 }
 static_assert(std::ranges::all_of(table, has_room_in_call));
 

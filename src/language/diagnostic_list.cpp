@@ -16,14 +16,66 @@ int to_int(std::uint64_t value) {
   return static_cast<int>(std::min<std::uint64_t>(value, std::numeric_limits<int>::max()));
 }
 
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
 // The first `length` bytes, or fewer so as not to cut inside a character.
 std::string_view shortened(std::string_view text, std::size_t length) {
   if (text.size() <= length) return text;
-  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) length--;
+  while (length > 0 && continues_character(text[length])) length--;
   return text.substr(0, length);
 }
 
+constexpr std::string_view indent = "  ";
+
+bool is_control(char byte) {
+  const auto code = static_cast<unsigned char>(byte);
+  return (code < 0x20 && byte != '\t') || code == 0x7F;
+}
+
+// The line without control characters, which could move the cursor of a terminal.
+std::string printable(std::string line) {
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  return line;
+}
+
+// Spaces as wide as the text before the mark, then the mark. Tabs are kept, so that both lines are indented alike.
+std::string caret_line(const std::string& line, std::size_t column, std::size_t width) {
+  std::string caret;
+  for (std::size_t i = 0; i < column; i++) {
+    const char byte = i < line.size() ? line[i] : ' ';
+    if (!continues_character(byte)) caret += byte == '\t' ? '\t' : ' ';
+  }
+  caret += '^';
+  for (std::size_t i = column + 1; i < std::min(column + width, line.size()); i++) {
+    if (!continues_character(line[i])) caret += '~';
+  }
+  return caret;
+}
+
 }  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) text += fmt::format(":{}:{}", diagnostic.line, std::max(1, diagnostic.column));
+  if (!text.empty()) text += ": ";
+  text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
+  text += diagnostic.message;
+  text += '\n';
+  const std::string line = printable(diagnostic.source_line);
+  if (!line.empty()) {
+    text += fmt::format("{}{}\n", indent, line);
+    const std::size_t column = diagnostic.column > 0 ? static_cast<std::size_t>(diagnostic.column) - 1 : 0;
+    const std::size_t width = static_cast<std::size_t>(std::max(1, diagnostic.width));
+    if (column <= line.size()) text += fmt::format("{}{}\n", indent, caret_line(line, column, width));
+  }
+  if (!diagnostic.hint.empty()) text += fmt::format("{}{}\n", indent, diagnostic.hint);
+  return text;
+}
+
+bool has_error(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
 
 SourcePlace place_of(std::uint32_t visit, const Line& line, std::string_view part) {
   SourcePlace place;
@@ -40,7 +92,7 @@ SourcePlace place_of(std::uint32_t visit, const Line& line, std::string_view par
 std::string in_quotes(std::string_view word) {
   const std::string_view head = shortened(word, longest_quote);
   std::string text = "`";
-  for (const char c : head) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+  for (const char c : head) text += c == '\t' || is_control(c) ? '?' : c;
   text += head.size() < word.size() ? "...`" : "`";
   return text;
 }
@@ -73,17 +125,13 @@ std::vector<std::int64_t> DiagnosticList::path_to(const SourcePlace& place) cons
 }
 
 std::vector<Diagnostic> DiagnosticList::take() {
-  struct Sorted {
-    std::vector<std::int64_t> path;
-    const Finding* finding;
-  };
-  std::vector<Sorted> sorted;
-  for (const Finding& finding : findings_) sorted.push_back({path_to(finding.place), &finding});
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b) { return a.path < b.path; });
+  std::vector<std::pair<std::vector<std::int64_t>, const Finding*>> sorted;
+  for (const Finding& finding : findings_) sorted.emplace_back(path_to(finding.place), &finding);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
   std::vector<Diagnostic> list;
-  for (const Sorted& entry : sorted) {
-    const Finding& finding = *entry.finding;
+  for (const auto& [path, found] : sorted) {
+    const Finding& finding = *found;
     const SourcePlace& place = finding.place;
     const Diagnostic diagnostic{finding.severity, file_of(place),  place.line,        place.column,
                                 place.width,      finding.message, place.source_line, finding.hint};
@@ -93,17 +141,15 @@ std::vector<Diagnostic> DiagnosticList::take() {
     };
     if (std::none_of(list.begin(), list.end(), same)) list.push_back(diagnostic);
   }
+  const auto add_remark = [&list](Severity severity, std::string message) {
+    Diagnostic& remark = list.emplace_back();
+    remark.severity = severity;
+    remark.message = std::move(message);
+  };
   if (warnings_ > most_warnings) {
-    Diagnostic more;
-    more.severity = Severity::warning;
-    more.message = fmt::format("{} more warnings are left out", warnings_ - most_warnings);
-    list.push_back(more);
+    add_remark(Severity::warning, fmt::format("{} more warnings are left out", warnings_ - most_warnings));
   }
-  if (is_full()) {
-    Diagnostic more;
-    more.message = "too many errors; the rest is not read";
-    list.push_back(more);
-  }
+  if (is_full()) add_remark(Severity::error, "too many errors; the rest is not read");
   return list;
 }
 

@@ -76,57 +76,50 @@ std::shared_ptr<void> make_parser(const Moment& moment) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-// The first part of an expression that does not begin with a blank, or the error in it.
-struct FirstPart {
-  std::string_view part;
-  std::optional<ExpressionError> error;
-};
-
-FirstPart first_number(std::string_view text) {
+// Each of these checks the first part of an expression, which does not begin with a blank: returns the error in it, or
+// sets `length` to its length.
+std::optional<ExpressionError> check_number(std::string_view text, std::size_t& length) {
   double ignored = 0;
   const ParsedNumber number = parse_number(text.data(), text.data() + text.size(), ignored);
-  const std::string_view part = text.substr(0, static_cast<std::size_t>(number.end - text.data()));
-  switch (number.error) {
-    case NumberError::none:
-      return {part, std::nullopt};
-    case NumberError::too_large:
-      return {part, ExpressionError{part, fmt::format("the number {} is too large", in_quotes(part)), {}}};
-    case NumberError::not_a_number:
-      break;
+  if (number.error == NumberError::not_a_number) {
+    return ExpressionError{text.substr(0, 1), "a number in this expression is incomplete", {}};
   }
-  return {part, ExpressionError{text.substr(0, 1), "a number in this expression is incomplete", {}}};
+  length = static_cast<std::size_t>(number.end - text.data());
+  if (number.error == NumberError::none) return std::nullopt;
+  const std::string_view part = text.substr(0, length);
+  return ExpressionError{part, fmt::format("the number {} is too large", in_quotes(part)), {}};
 }
 
-FirstPart first_name(std::string_view text) {
+std::optional<ExpressionError> check_name(std::string_view text, std::size_t& length) {
   const auto* const end =
       std::find_if_not(text.begin(), text.end(), [](char c) { return is_letter(c) || detail::is_digit(c); });
-  const std::string_view part = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  length = static_cast<std::size_t>(end - text.begin());
+  const std::string_view part = text.substr(0, length);
   static const std::vector<std::string_view> names = all_names();
-  if (std::find(names.begin(), names.end(), part) != names.end()) return {part, std::nullopt};
-  return {part, ExpressionError{part, fmt::format("unknown name {} in this expression", in_quotes(part)),
-                                did_you_mean(nearest_word(part, names))}};
+  if (std::find(names.begin(), names.end(), part) != names.end()) return std::nullopt;
+  return ExpressionError{part, fmt::format("unknown name {} in this expression", in_quotes(part)),
+                         did_you_mean(nearest_word(part, names))};
 }
 
-FirstPart first_part(std::string_view text) {
-  if (detail::is_digit(text[0]) || text[0] == '.') return first_number(text);
-  if (is_letter(text[0])) return first_name(text);
+std::optional<ExpressionError> check_first_part(std::string_view text, std::size_t& length) {
+  if (detail::is_digit(text[0]) || text[0] == '.') return check_number(text, length);
+  if (is_letter(text[0])) return check_name(text, length);
   for (const std::string_view sign : signs) {
-    if (text.starts_with(sign)) return {text.substr(0, sign.size()), std::nullopt};
+    length = sign.size();
+    if (text.starts_with(sign)) return std::nullopt;
   }
   const std::string_view part = text.substr(0, 1);
-  return {part, ExpressionError{part, fmt::format("{} is not allowed in an expression", in_quotes(part)), {}}};
+  return ExpressionError{part, fmt::format("{} is not allowed in an expression", in_quotes(part)), {}};
 }
 
 // The first error in a single part of an expression.
-std::optional<ExpressionError> error_in_parts(std::string_view text) {
-  for (std::string_view rest = text; !rest.empty();) {
-    if (is_blank(rest[0])) {
-      rest.remove_prefix(1);
-      continue;
+std::optional<ExpressionError> error_in_parts(std::string_view rest) {
+  while (!rest.empty()) {
+    std::size_t length = 1;
+    if (!is_blank(rest[0])) {
+      if (auto error = check_first_part(rest, length)) return error;
     }
-    const FirstPart first = first_part(rest);
-    if (first.error) return first.error;
-    rest.remove_prefix(first.part.size());
+    rest.remove_prefix(length);
   }
   return std::nullopt;
 }

@@ -40,11 +40,7 @@ std::string read_all(int descriptor, std::size_t size, int& error_code) {
   return text;
 }
 
-LoadedFile failure(std::string problem) {
-  LoadedFile file;
-  file.problem = std::move(problem);
-  return file;
-}
+LoadedFile failure(std::string problem) { return {{}, {}, std::move(problem)}; }
 
 LoadedFile load(const std::filesystem::path& path, bool may_map) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -61,7 +57,7 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
     void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
     if (address != MAP_FAILED) {
       ::madvise(address, size, MADV_SEQUENTIAL);
-      loaded.bytes = FileBytes::from_mapping(address, size);
+      loaded.bytes = FileBytes(address, size);
       return loaded;
     }
   }
@@ -73,42 +69,12 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
 
 }  // namespace
 
-FileBytes::FileBytes(std::string text) : text_(std::move(text)) {}
-
-FileBytes FileBytes::from_mapping(void* address, std::size_t size) {
-  FileBytes bytes;
-  bytes.mapped_ = static_cast<char*>(address);
-  bytes.size_ = size;
-  return bytes;
-}
-
-FileBytes::FileBytes(FileBytes&& other) noexcept { *this = std::move(other); }
-
-FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
-  if (this == &other) return *this;
-  unmap();
-  text_ = std::move(other.text_);
-  mapped_ = std::exchange(other.mapped_, nullptr);
-  size_ = std::exchange(other.size_, 0);
-  released_ = std::exchange(other.released_, 0);
-  return *this;
-}
-
-FileBytes::~FileBytes() { unmap(); }
-
-void FileBytes::unmap() {
-  if (mapped_ != nullptr) ::munmap(mapped_, size_);
-  mapped_ = nullptr;
-}
-
-std::string_view FileBytes::view() const {
-  return mapped_ != nullptr ? std::string_view(mapped_, size_) : std::string_view(text_);
-}
+void FileBytes::Unmap::operator()(char* address) const { ::munmap(address, size); }
 
 void FileBytes::release_before(std::size_t offset) {
-  if (mapped_ == nullptr || offset < released_ + release_step) return;
+  if (!mapped_ || offset < released_ + release_step) return;
   const std::size_t bytes = (offset - released_) / release_step * release_step;
-  ::madvise(mapped_ + released_, bytes, MADV_DONTNEED);
+  ::madvise(mapped_.get() + released_, bytes, MADV_DONTNEED);
   released_ += bytes;
 }
 

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace penumbra {
 
@@ -15,26 +17,26 @@ namespace penumbra {
 class FileBytes {
  public:
   FileBytes() = default;
-  explicit FileBytes(std::string text);
-  FileBytes(FileBytes&& other) noexcept;
-  FileBytes& operator=(FileBytes&& other) noexcept;
-  ~FileBytes();
-
+  explicit FileBytes(std::string text) : text_(std::move(text)) {}
   // Takes ownership of a mapping made by mmap.
-  static FileBytes from_mapping(void* address, std::size_t size);
+  FileBytes(void* address, std::size_t size) : mapped_(static_cast<char*>(address), Unmap{size}) {}
 
-  std::string_view view() const;
+  std::string_view view() const {
+    return mapped_ ? std::string_view(mapped_.get(), mapped_.get_deleter().size) : std::string_view(text_);
+  }
 
   // Declares that nothing before `offset` is needed soon, so that a mapped file does not add to the memory of the
   // scene.
   void release_before(std::size_t offset);
 
  private:
-  void unmap();
+  struct Unmap {
+    std::size_t size;
+    void operator()(char* address) const;
+  };
 
   std::string text_;
-  char* mapped_ = nullptr;
-  std::size_t size_ = 0;
+  std::unique_ptr<char, Unmap> mapped_;
   std::size_t released_ = 0;
 };
 

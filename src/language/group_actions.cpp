@@ -1,6 +1,4 @@
 // The commands for groups, named objects, their instances, and the motion of the last object.
-#include <fmt/format.h>
-
 #include "language/actions.hpp"
 #include "language/near_word.hpp"
 
@@ -17,9 +15,8 @@ void begin_group(Reading& reading, const Call& call) {
 void end_group(Reading& reading, const Call& call) {
   const ObjectTree& tree = reading.builder.tree();
   if (tree.open_groups() == 0) {
-    return reading.diagnostics.error(call.place(),
-                                     fmt::format("`{}` without a `{}` before it", call.command.name,
-                                                 call.command.name == "end_list" ? "begin_list" : "begin_accel"));
+    return reading.error(call.place(), "`{}` without a `{}` before it", call.command.name,
+                         call.command.name == "end_list" ? "begin_list" : "begin_accel");
   }
   const OpenGroup& group = tree.innermost();
   if (call.command.name == "end_list" && group.opener == "begin_accel") {
@@ -27,16 +24,15 @@ void end_group(Reading& reading, const Call& call) {
                                 fmt::format("`end_list` ends the `begin_accel` on line {}", group.place.line));
   }
   if (group.objects.empty()) reading.diagnostics.warning(group.place, "this group is empty");
-  reading.report(call.place(), reading.builder.close_group());
+  reading.builder.close_group();
 }
 
 void named_object(Reading& reading, const Call& call) {
   const auto& names = reading.builder.tree().names;
   if (const auto found = names.find(call.word(0)); found != names.end()) {
     const SourcePlace& first = found->second.place;
-    return reading.diagnostics.error(call.place_of_argument(0),
-                                     fmt::format("the name {} is used twice; first at {}:{}", in_quotes(call.word(0)),
-                                                 reading.diagnostics.file_of(first), first.line));
+    return reading.error(call.place_of_argument(0), "the name {} is used twice; first at {}:{}",
+                         in_quotes(call.word(0)), reading.diagnostics.file_of(first), first.line);
   }
   reading.report(call.place(), reading.builder.name_last(call.word(0), call.place_of_argument(0)));
 }

@@ -1,7 +1,5 @@
 // Executes a line: finds its command, checks the arguments and reports errors in them, and runs the command's action.
 // Lines with `vertex`, of which a mesh can have millions, take a shortcut with the same result.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +13,8 @@ namespace {
 
 constexpr std::string_view vertex_name = "vertex";
 
-// Reads `vertex x y z` while a polygon is open. False, with nothing done, for any other line and for anything that
-// deserves a message, which the general way then gives.
+// Reads `vertex x y z` while a polygon is open. Returns false and does nothing for any other line and for anything that
+// calls for a message, which the general path then gives.
 bool read_vertex_quickly(SceneBuilder& builder, std::string_view line) {
   const char* p = line.data();
   const char* const end = p + line.size();
@@ -52,7 +50,7 @@ void unknown_command(Reading& reading, const SourcePlace& place, std::string_vie
 }
 
 const Form* form_with(const Command& command, int arguments) {
-  for (const Form& form : command.forms.all()) {
+  for (const Form& form : command.forms) {
     if (form.count() == arguments) return &form;
   }
   return nullptr;
@@ -61,11 +59,11 @@ const Form* form_with(const Command& command, int arguments) {
 // Reports that there are too few or too many arguments, at the first extra one or at the command.
 void wrong_count(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   int most = 0;
-  for (const Form& form : command.forms.all()) most = std::max(most, form.count());
+  for (const Form& form : command.forms) most = std::max(most, form.count());
   const int found = words.count - 1;
   const auto first_extra = static_cast<std::size_t>(found > most ? most + 1 : 0);
-  reading.diagnostics.error(place_of(visit, line, words.word[first_extra]),
-                            fmt::format("`{}` takes {}; found {}", command.name, what_it_takes(command), found));
+  reading.error(place_of(visit, line, words.word[first_extra]), "`{}` takes {}; found {}", command.name,
+                what_it_takes(command), found);
 }
 
 // Reads a number written as `{expression}`.
@@ -75,8 +73,8 @@ bool read_expression(Reading& reading, const Call& call, int i, double& value) {
   const std::size_t brace = word.find('}');
   if (brace + 1 != word.size()) {
     const std::string_view behind = word.substr(brace + 1);
-    reading.diagnostics.error(place_of(call.visit, call.line, behind),
-                              fmt::format("{} may not follow a `}}` without a blank", in_quotes(behind)));
+    reading.error(place_of(call.visit, call.line, behind), "{} may not follow a `}}` without a blank",
+                  in_quotes(behind));
     return false;
   }
   const std::string_view text = word.substr(1, brace - 1);
@@ -87,8 +85,8 @@ bool read_expression(Reading& reading, const Call& call, int i, double& value) {
   }
   if (std::abs(value) <= largest_number) return true;
   const Moment& moment = reading.options.moment;
-  reading.diagnostics.error(call.place_of_argument(i), fmt::format("{} is not finite when frame is {} and t is {}",
-                                                                   in_quotes(word), moment.frame, moment.t));
+  reading.error(call.place_of_argument(i), "{} is not finite when frame is {} and t is {}", in_quotes(word),
+                moment.frame, moment.t);
   return false;
 }
 
@@ -97,12 +95,11 @@ bool read_decimal(Reading& reading, const Call& call, int i, double& value) {
   const std::string_view word = call.word(i);
   switch (parse_number(word, value)) {
     case NumberError::not_a_number:
-      reading.diagnostics.error(
-          call.place_of_argument(i),
-          fmt::format("`{}` of `{}` has to be a number; found {}", argument.name, call.command.name, in_quotes(word)));
+      reading.error(call.place_of_argument(i), "`{}` of `{}` has to be a number; found {}", argument.name,
+                    call.command.name, in_quotes(word));
       return false;
     case NumberError::too_large:
-      reading.diagnostics.error(call.place_of_argument(i), fmt::format("the number {} is too large", in_quotes(word)));
+      reading.error(call.place_of_argument(i), "the number {} is too large", in_quotes(word));
       return false;
     case NumberError::none:
       break;
@@ -139,7 +136,8 @@ bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit
 }
 
 void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
-  const bool numeric = command.forms.form[0].count() > 0 && command.forms.form[0].argument[0].is_number();
+  const Form& first = command.forms.front();
+  const bool numeric = first.count() > 0 && first.argument[0].is_number();
   if (numeric && has_open_expression(reading, line, visit, words)) return;
   const Form* const form = form_with(command, words.count - 1);
   if (form == nullptr) {
@@ -152,10 +150,10 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
     if (form->argument[static_cast<std::size_t>(i)].is_number()) right = read_number(reading, call, i) && right;
   }
   if (right && !command.in_polygon && reading.builder.in_polygon()) {
-    reading.diagnostics.error(call.place(),
-                              fmt::format("`{}` may not stand between `begin` and `end`; the polygon begun on line {} "
-                                          "is still open",
-                                          command.name, reading.builder.polygon_place().line));
+    reading.error(call.place(),
+                  "`{}` may not stand between `begin` and `end`; the polygon begun on line {} "
+                  "is still open",
+                  command.name, reading.builder.polygon_place().line);
     right = false;
   }
   if (right) command.action(reading, call);
@@ -191,7 +189,7 @@ void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit) {
   Line line;
   if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
     cursor.next(line);
-    reading.diagnostics.error(place_of(visit, Line{{}, 1}, {}), "this is UTF-16 text; save it as UTF-8");
+    reading.error(place_of(visit, Line{{}, 1}, {}), "this is UTF-16 text; save it as UTF-8");
     return;
   }
   TriangleBuilder& triangles = reading.builder.triangles();

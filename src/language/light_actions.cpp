@@ -1,6 +1,4 @@
 // The light commands. The current matrix does not move lights.
-#include <fmt/format.h>
-
 #include "language/actions.hpp"
 
 namespace penumbra::actions {
@@ -10,12 +8,11 @@ namespace {
 bool has_direction(Reading& reading, const Call& call, int first) {
   const Vec3 direction = call.vec(first);
   if (max_component(abs(direction)) > 0) return true;
-  reading.diagnostics.error(call.place_of_argument(first),
-                            fmt::format("the direction of `{}` has no length", call.command.name));
+  reading.error(call.place_of_argument(first), "the direction of `{}` has no length", call.command.name);
   return false;
 }
 
-// Whether the angle between two edges is more than what the rounding of their numbers makes.
+// Whether two edges span an area beyond the rounding errors of their numbers.
 bool span_area(Vec3 u, Vec3 v) {
   const double u_size = max_component(abs(u)), v_size = max_component(abs(v));
   return u_size > 0 && v_size > 0 && max_component(abs(cross(u / u_size, v / v_size))) > 1e-12;
@@ -41,7 +38,7 @@ void disk_light(Reading& reading, const Call& call) {
 
 void quad_light(Reading& reading, const Call& call) {
   if (!span_area(call.vec(3), call.vec(6))) {
-    return reading.diagnostics.error(call.place_of_argument(3), "the two half edges of `quad_light` lie on one line");
+    return reading.error(call.place_of_argument(3), "the two half edges of `quad_light` lie on one line");
   }
   reading.builder.change().lights.emplace_back(QuadLight{call.vec(0), call.vec(3), call.vec(6), call.vec(9)});
 }
@@ -49,7 +46,7 @@ void quad_light(Reading& reading, const Call& call) {
 void spotlight(Reading& reading, const Call& call) {
   if (!has_direction(reading, call, 3)) return;
   if (call[7] < call[6]) {
-    return reading.diagnostics.error(call.place_of_argument(7), "`outer` of `spotlight` has to be `inner` or more");
+    return reading.error(call.place_of_argument(7), "`outer` of `spotlight` has to be `inner` or more");
   }
   reading.builder.change().lights.emplace_back(SpotLight{call.vec(0), call.vec(3), call[6], call[7], call.vec(8)});
 }

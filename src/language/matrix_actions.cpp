@@ -1,6 +1,4 @@
 // The matrix commands: each multiplies the current matrix from the right, so that the last one is applied first.
-#include <fmt/format.h>
-
 #include "language/actions.hpp"
 
 namespace penumbra::actions {
@@ -10,7 +8,7 @@ void multiply(Reading& reading, const Call& call, const Affine& by) {
   const Affine product = reading.builder.matrix() * by;
   bool finite = is_finite(product.translation);
   for (const Vec3& column : product.column) finite = finite && is_finite(column);
-  if (!finite) return reading.diagnostics.error(call.place(), "the current matrix has become too large");
+  if (!finite) return reading.error(call.place(), "the current matrix has become too large");
   reading.builder.set_matrix(product);
 }
 
@@ -28,7 +26,7 @@ void translate(Reading& reading, const Call& call) { multiply(reading, call, tra
 void scale(Reading& reading, const Call& call) {
   for (int axis = 0; axis < 3; axis++) {
     if (call[axis] != 0) continue;
-    return reading.diagnostics.error(call.place_of_argument(axis), "a `scale` by zero flattens everything after it");
+    return reading.error(call.place_of_argument(axis), "a `scale` by zero flattens everything after it");
   }
   multiply(reading, call, scaling(call.vec(0)));
 }
@@ -36,7 +34,7 @@ void scale(Reading& reading, const Call& call) {
 void rotate(Reading& reading, const Call& call) {
   Vec3 axis = call.vec(1);
   const double size = max_component(abs(axis));
-  if (size == 0) return reading.diagnostics.error(call.place_of_argument(1), "the axis of `rotate` has no length");
+  if (size == 0) return reading.error(call.place_of_argument(1), "the axis of `rotate` has no length");
   // The squares of very small or large components would underflow or overflow.
   multiply(reading, call, rotation(call[0], axis / size));
 }

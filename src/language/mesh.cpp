@@ -1,18 +1,13 @@
 #include "language/mesh.hpp"
 
-#include <algorithm>
+#include <strings.h>
 
 namespace penumbra {
 namespace {
 
 bool is_ply(std::string_view bytes) { return bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r"; }
 
-bool is_obj(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension == ".obj";
-}
+bool is_obj(const std::filesystem::path& path) { return ::strcasecmp(path.extension().c_str(), ".obj") == 0; }
 
 std::optional<MeshError> read_any(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
                                   TriangleStore& store) {
@@ -23,11 +18,7 @@ std::optional<MeshError> read_any(const std::filesystem::path& path, FileBytes& 
 
 }  // namespace
 
-MeshError mesh_error(std::string message) {
-  MeshError error;
-  error.message = std::move(message);
-  return error;
-}
+MeshError mesh_error(std::string message) { return {{}, std::move(message)}; }
 
 std::optional<MeshError> read_mesh(const std::filesystem::path& path, FileBytes& bytes, const Affine& matrix,
                                    TriangleStore& store) {

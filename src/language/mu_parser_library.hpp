@@ -5,21 +5,16 @@
 
 namespace penumbra {
 
+// The functions that expressions need: applies the macro `use` to each name.
+#define PENUMBRA_MU_PARSER_FUNCTIONS(use)                                                                            \
+  use(mupCreate) use(mupRelease) use(mupClearFun) use(mupClearConst) use(mupDefineFun1) use(mupDefineFun2)           \
+      use(mupDefineMultFun) use(mupDefineConst) use(mupSetExpr) use(mupEvalMulti) use(mupError) use(mupGetErrorCode) \
+          use(mupGetErrorPos) use(mupGetErrorToken)
+
 struct MuParserLibrary {
-  decltype(&::mupCreate) mupCreate;
-  decltype(&::mupRelease) mupRelease;
-  decltype(&::mupClearFun) mupClearFun;
-  decltype(&::mupClearConst) mupClearConst;
-  decltype(&::mupDefineFun1) mupDefineFun1;
-  decltype(&::mupDefineFun2) mupDefineFun2;
-  decltype(&::mupDefineMultFun) mupDefineMultFun;
-  decltype(&::mupDefineConst) mupDefineConst;
-  decltype(&::mupSetExpr) mupSetExpr;
-  decltype(&::mupEvalMulti) mupEvalMulti;
-  decltype(&::mupError) mupError;
-  decltype(&::mupGetErrorCode) mupGetErrorCode;
-  decltype(&::mupGetErrorPos) mupGetErrorPos;
-  decltype(&::mupGetErrorToken) mupGetErrorToken;
+#define PENUMBRA_MEMBER(name) decltype(&::name) name;
+  PENUMBRA_MU_PARSER_FUNCTIONS(PENUMBRA_MEMBER)
+#undef PENUMBRA_MEMBER
 };
 
 // The library, which stays loaded. Throws std::runtime_error if it is not installed.

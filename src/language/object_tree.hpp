@@ -46,7 +46,7 @@ class ObjectTree {
   void add_polygon(std::uint32_t first, std::uint32_t count, std::uint32_t surface);
 
   bool has_last() const { return groups_.back().has_last; }
-  // The last object, which must exist, split off the run of polygons that it may be part of.
+  // The last object, which must exist; if it is part of a run of polygons, it is split off first.
   Object& last_object();
   int nesting_of_last() const { return groups_.back().nesting_of_last; }
   // Removes the last object, which must exist, from its group.

@@ -1,6 +1,4 @@
 // The commands for pictures, files and timers, and the painted rectangles of the 2-D test commands.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "language/actions.hpp"
@@ -22,10 +20,9 @@ void background(Reading& reading, const Call& call) { reading.builder.change().b
 
 void image_size(Reading& reading, const Call& call) {
   if (call[0] * call[1] > most_pixels) {
-    return reading.diagnostics.error(
-        call.place_of_argument(0),
-        fmt::format("a picture of {} x {} pixels is too large; at most {} pixels are allowed", call.whole(0),
-                    call.whole(1), most_pixels));
+    return reading.error(call.place_of_argument(0),
+                         "a picture of {} x {} pixels is too large; at most {} pixels are allowed", call.whole(0),
+                         call.whole(1), most_pixels);
   }
   Scene& scene = reading.builder.change();
   scene.settings.width = call.whole(0);
@@ -38,8 +35,7 @@ void render(Reading& reading, const Call& call) { take_picture(reading, call, {}
 
 void read(Reading& reading, const Call& call) {
   if (reading.open_files.size() >= reading.limits.open_files) {
-    return reading.diagnostics.error(call.place(),
-                                     fmt::format("files read each other more than {} deep", reading.limits.open_files));
+    return reading.error(call.place(), "files read each other more than {} deep", reading.limits.open_files);
   }
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;
@@ -60,13 +56,12 @@ void read(Reading& reading, const Call& call) {
 
 void course(Reading& reading, const Call& call) {
   if (reading.commands > 0) {
-    return reading.diagnostics.error(call.place(), "`course` has to come before every other command");
+    return reading.error(call.place(), "`course` has to come before every other command");
   }
   const Course named = call.form.count() == 0 ? Course::any_year : course_of_year(call.word(0));
   if (named == Course::off) {
-    return reading.diagnostics.error(
-        call.place_of_argument(0),
-        fmt::format("there is no course of {}; the years are {}", in_quotes(call.word(0)), years_in_words));
+    return reading.error(call.place_of_argument(0), "there is no course of {}; the years are {}",
+                         in_quotes(call.word(0)), years_in_words);
   }
   if (reading.options.course == Course::off) set_course(reading, named);
 }

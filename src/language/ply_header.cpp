@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <utility>
 
+#include "base/parse.hpp"
 #include "language/text_lines.hpp"
 
 namespace penumbra {
@@ -76,12 +76,11 @@ class HeaderReader {
   void read_element(const Words& words) {
     PlyElement element;
     element.name = words.word[1];
-    const std::string_view number = words.word[2];
-    const char* const end = number.data() + number.size();
-    const auto [p, code] = std::from_chars(number.data(), end, element.count);
-    if (words.count != 3 || code != std::errc{} || p != end) {
+    const auto count = number_from<std::uint64_t>(words.word[2]);
+    if (words.count != 3 || !count) {
       return fail(words.word[0], "`element` needs a name and a number of elements");
     }
+    element.count = *count;
     if (header_.find(element.name) != nullptr) {
       return fail(words.word[1], fmt::format("the element {} is declared twice", in_quotes(element.name)));
     }

@@ -1,6 +1,4 @@
 // Opens and reads the files of a scene, and finally reports what is missing or odd.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -49,13 +47,12 @@ void read_first_file(Reading& reading, const std::filesystem::path& path, Loaded
 void report_open_ends(Reading& reading) {
   const SceneBuilder& builder = reading.builder;
   if (builder.in_polygon()) {
-    reading.diagnostics.error(builder.polygon_place(), "this polygon is left open: there is no `end` after it");
+    reading.error(builder.polygon_place(), "this polygon is left open: there is no `end` after it");
   }
   for (int level = builder.tree().open_groups(); level > 0; level--) {
     const OpenGroup& group = builder.tree().group(level);
-    reading.diagnostics.error(group.place,
-                              fmt::format("this group is left open: there is no `{}` for it",
-                                          group.opener == "begin_list" ? "end_list` or `end_accel" : "end_accel"));
+    reading.error(group.place, "this group is left open: there is no `{}` for it",
+                  group.opener == "begin_list" ? "end_list` or `end_accel" : "end_accel");
   }
   for (const auto& [matrix, place] : builder.pushed()) {
     reading.diagnostics.warning(place, "this `push` is left open: there is no `pop` for it");
@@ -75,7 +72,7 @@ void report_unused(Reading& reading) {
   }
 }
 
-// One sign alone is an odd scene; two kinds of them are another order.
+// One sign alone is just an odd scene; two kinds of signs point to the other order.
 void report_order_of_2018(Reading& reading) {
   const OrderOf2018& order = reading.order_of_2018;
   if (reading.course == Course::year_2018 || order.signs() < 2 || !order.first_sphere) return;
@@ -103,8 +100,7 @@ std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
   remember_file(reading, file.path);
   file.loaded = reading.load(file.path);
   if (!file.loaded.problem.empty()) {
-    reading.diagnostics.error(call.place_of_argument(0),
-                              fmt::format("cannot read `{}`: {}", file.path.string(), file.loaded.problem));
+    reading.error(call.place_of_argument(0), "cannot read `{}`: {}", file.path.string(), file.loaded.problem);
     return std::nullopt;
   }
   if (const Problem wrong = count_file(reading, file.loaded.bytes.view().size()); !wrong.empty()) {

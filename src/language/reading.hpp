@@ -2,6 +2,8 @@
 // table works on it.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,7 +16,6 @@
 #include "language/diagnostic_list.hpp"
 #include "language/expression.hpp"
 #include "language/file_bytes.hpp"
-#include "language/limits.hpp"
 #include "language/scene_builder.hpp"
 #include "language/scene_file.hpp"
 
@@ -69,6 +70,11 @@ struct Reading {
   std::uint64_t objects_in_pictures = 0;      // objects added before the last picture was taken
   std::optional<SourcePlace> after_pictures;  // the first object after the last picture
 
+  // Reports an error whose sentence is formatted as by fmt::format.
+  template <class... Values>
+  void error(const SourcePlace& place, fmt::format_string<Values...> sentence, Values&&... values) {
+    diagnostics.error(place, fmt::format(sentence, std::forward<Values>(values)...));
+  }
   void report(const SourcePlace& place, const Problem& problem) {
     if (!problem.empty()) diagnostics.error(place, problem);
   }
@@ -78,7 +84,7 @@ struct Reading {
 inline constexpr std::string_view how_to_read_2018 =
     "--course=2018, or `course 2018` in the first line, reads that order";
 
-// Makes the course's rules those of the reading and of the scene so far.
+// Applies the course's rules to the rest of the reading and to the scene so far.
 void set_course(Reading& reading, Course course);
 
 // Executes one line.

@@ -72,8 +72,6 @@ Problem SceneBuilder::check_matrix() {
   return {};
 }
 
-void SceneBuilder::set_surface(const Surface& surface) { surface_ = surface; }
-
 std::uint32_t SceneBuilder::surface_index() {
   std::vector<Surface>& surfaces = scene_.surfaces;
   for (std::size_t back = 1; back <= surfaces.size() && back <= surfaces_to_compare; back++) {
@@ -90,25 +88,15 @@ std::uint32_t SceneBuilder::placement_index() {
   return static_cast<std::uint32_t>(placements.size() - 1);
 }
 
-Problem SceneBuilder::add_shape(const Shape& shape, Vec3 motion) {
-  if (Problem wrong = check_matrix(); !wrong.empty()) return wrong;
+Problem SceneBuilder::add_shape(const Shape& shape, Vec3 motion, bool placed) {
+  Problem wrong = placed ? check_matrix() : Problem();
+  if (!wrong.empty()) return wrong;
   if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
   change();
   Object object;
   object.shape = shape;
   object.surface = surface_index();
-  object.placement = placement_index();
-  object.motion = motion;
-  tree_.add(std::move(object));
-  return {};
-}
-
-Problem SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
-  if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
-  change();
-  Object object;
-  object.shape = shape;
-  object.surface = surface_index();
+  if (placed) object.placement = placement_index();
   object.motion = motion;
   tree_.add(std::move(object));
   return {};
@@ -116,16 +104,12 @@ Problem SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
 
 Problem SceneBuilder::add_mesh(std::uint32_t first) {
   const std::uint32_t count = triangles_.triangle_count() - first;
-  return count == 0 ? Problem() : add_unplaced_shape(TriangleRange{first, count});
+  return count == 0 ? Problem() : add_shape(TriangleRange{first, count}, {}, false);
 }
 
 Problem SceneBuilder::begin_polygon(const SourcePlace& place) {
   if (Problem wrong = check_matrix(); !wrong.empty()) return wrong;
-  polygon_place_.visit = place.visit;
-  polygon_place_.line = place.line;
-  polygon_place_.column = place.column;
-  polygon_place_.width = place.width;
-  polygon_place_.source_line = place.source_line;
+  polygon_place_ = place;
   triangles_.begin_polygon();
   return {};
 }
@@ -151,10 +135,9 @@ Problem SceneBuilder::open_group(std::string_view opener, const SourcePlace& pla
   return {};
 }
 
-Problem SceneBuilder::close_group() {
+void SceneBuilder::close_group() {
   change();
   tree_.close_group();
-  return {};
 }
 
 Problem SceneBuilder::name_last(std::string_view name, const SourcePlace& place) {

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "language/limits.hpp"
 #include "language/object_tree.hpp"
 #include "language/scene_file.hpp"
 #include "language/triangle_builder.hpp"
@@ -17,6 +16,16 @@ namespace penumbra {
 
 // What is wrong, as a sentence without a full stop; empty if nothing is.
 using Problem = std::string;
+
+// Limits that keep any input, however contrived, from exhausting the machine.
+struct Limits {
+  std::size_t open_files = 64;                   // open at once, each read by the one before
+  std::size_t reads = 65'536;                    // files opened in total
+  std::uint64_t bytes = std::uint64_t{4} << 30;  // read in total
+  std::size_t copies = std::size_t{1} << 23;     // objects, lights and the like copied for pictures, in total
+  std::size_t pushes = 4'096;                    // `push` still without its `pop`
+  int nesting = 64;                              // levels of groups and instances
+};
 
 class SceneBuilder {
  public:
@@ -36,12 +45,11 @@ class SceneBuilder {
   const std::vector<std::pair<Affine, SourcePlace>>& pushed() const { return pushed_; }
 
   // The current surface.
-  const Surface& surface() const { return surface_; }
-  void set_surface(const Surface& surface);
+  Surface& surface() { return surface_; }
 
-  // Adds a shape under the current matrix, or under none; `motion` is in the space of the open group.
-  Problem add_shape(const Shape& shape, Vec3 motion = {});
-  Problem add_unplaced_shape(const Shape& shape, Vec3 motion = {});
+  // Adds a shape under the current matrix or, if it is not to be `placed`, under none; `motion` is in the space of the
+  // open group.
+  Problem add_shape(const Shape& shape, Vec3 motion = {}, bool placed = true);
   // Adds the triangles from `first` to the end of the store as one object.
   Problem add_mesh(std::uint32_t first);
 
@@ -55,7 +63,7 @@ class SceneBuilder {
 
   // Groups, names, motion.
   Problem open_group(std::string_view opener, const SourcePlace& place);
-  Problem close_group();
+  void close_group();
   Problem name_last(std::string_view name, const SourcePlace& place);
   Problem add_instance(std::string_view name);
   Problem move_last(Vec3 motion);

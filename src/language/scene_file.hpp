@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/content_hash.hpp"
-#include "base/diagnostics.hpp"
+#include "language/diagnostic_list.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {

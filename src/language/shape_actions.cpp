@@ -1,7 +1,5 @@
 // The shape commands. All shapes follow the full matrix, except that with `--course` spheres and boxes keep their
 // radius and axes.
-#include <fmt/format.h>
-
 #include "language/actions.hpp"
 #include "language/mesh.hpp"
 
@@ -15,9 +13,9 @@ void add_box(Reading& reading, const Call& call, Vec3 a, Vec3 b) {
 // Adds a shape whose position is already transformed; `a` and `b` bound it.
 void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a, Vec3 b, Vec3 motion) {
   if (!fits_single_precision(a) || !fits_single_precision(b)) {
-    return reading.diagnostics.error(call.place(), "the current matrix moves the shape too far away");
+    return reading.error(call.place(), "the current matrix moves the shape too far away");
   }
-  reading.report(call.place(), reading.builder.add_unplaced_shape(shape, motion));
+  reading.report(call.place(), reading.builder.add_shape(shape, motion, false));
 }
 
 void add_sphere(Reading& reading, const Call& call, double radius, Vec3 start, Vec3 end) {
@@ -43,8 +41,8 @@ void add_cylinder(Reading& reading, const Call& call, bool capped) {
 void begin(Reading& reading, const Call& call) {
   reading.stray_vertex = false;
   if (reading.builder.in_polygon()) {
-    reading.diagnostics.error(call.place(), fmt::format("`begin` while the polygon begun on line {} is still open",
-                                                        reading.builder.polygon_place().line));
+    reading.error(call.place(), "`begin` while the polygon begun on line {} is still open",
+                  reading.builder.polygon_place().line);
     reading.builder.triangles().abandon_polygon();
   }
   const Problem wrong = reading.builder.begin_polygon(call.place());
@@ -56,10 +54,10 @@ void begin(Reading& reading, const Call& call) {
 void vertex(Reading& reading, const Call& call) {
   if (reading.builder.in_polygon()) {
     if (reading.builder.add_vertex(call.vec(0))) return;
-    reading.diagnostics.error(call.place(), "the current matrix moves this vertex too far away");
+    reading.error(call.place(), "the current matrix moves this vertex too far away");
   } else if (!reading.stray_vertex) {
     reading.stray_vertex = true;
-    reading.diagnostics.error(call.place(), "`vertex` outside `begin` and `end`");
+    reading.error(call.place(), "`vertex` outside `begin` and `end`");
   }
 }
 
@@ -108,7 +106,7 @@ void cone(Reading& reading, const Call& call) {
   const Cone cone{call.vec(0), call[3], call[4]};
   if (!fits_single_precision(cone.apex + Vec3{0, cone.height, 0}) ||
       !fits_single_precision({cone.height * cone.slope, 0, 0})) {
-    return reading.diagnostics.error(call.place(), "this cone is too large at its top");
+    return reading.error(call.place(), "this cone is too large at its top");
   }
   reading.report(call.place(), reading.builder.add_shape(cone));
 }

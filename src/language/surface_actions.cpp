@@ -1,10 +1,7 @@
 // The surface commands: each replaces the current surface, texture included. Texture commands only add to it.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <iterator>
-
+#include "base/parse.hpp"
 #include "language/actions.hpp"
 
 namespace penumbra::actions {
@@ -29,7 +26,7 @@ void add_specular(Surface& surface, const Call& call, int first) {
   surface.reflection = call[first + 4];
 }
 
-// As the course's surfaces: `highlight` says which one it is.
+// For the course's surfaces, whose kind of highlight the command `highlight` chooses.
 void add_open_specular(const Reading& reading, Surface& surface, const Call& call) {
   add_specular(surface, call, 6);
   surface.highlight = reading.highlight;
@@ -40,96 +37,84 @@ void add_open_specular(const Reading& reading, Surface& surface, const Call& cal
 // follows.
 bool has_index(Reading& reading, const Call& call, int transmission) {
   if (call[transmission] == 0 || call[transmission + 1] > 0) return true;
-  reading.diagnostics.error(call.place_of_argument(transmission + 1),
-                            fmt::format("`index` of `{}` has to be greater than 0 where k_trans is not 0; found {}",
-                                        call.command.name, in_quotes(call.word(transmission + 1))));
+  reading.error(call.place_of_argument(transmission + 1),
+                "`index` of `{}` has to be greater than 0 where k_trans is not 0; found {}", call.command.name,
+                in_quotes(call.word(transmission + 1)));
   return false;
 }
 
-void set_texture(Reading& reading, Texture texture) {
-  Surface surface = reading.builder.surface();
-  surface.texture = texture;
-  reading.builder.set_surface(surface);
-}
+// Replaces the current surface and returns it, for further changes.
+Surface& replace(Reading& reading, const Surface& surface) { return reading.builder.surface() = surface; }
 
 }  // namespace
 
 void surface(Reading& reading, const Call& call) {
-  Surface surface = plain(call);
+  Surface& surface = replace(reading, plain(call));
   if (call.form.count() > 3) {
     surface = with_ambient(call);
     add_open_specular(reading, surface, call);
     reading.order_of_2018.ambient_first |= max_component(surface.diffuse - surface.ambient) < 0;
   }
-  reading.builder.set_surface(surface);
 }
 
 void surface_of_2018(Reading& reading, const Call& call) {
-  Surface surface = plain(call);
+  Surface& surface = replace(reading, plain(call));
   if (call.form.count() > 3) {
     surface.ambient = call.vec(0);
     surface.diffuse = call.vec(3);
     add_open_specular(reading, surface, call);
   }
-  reading.builder.set_surface(surface);
 }
 
 void highlight(Reading& reading, const Call& call) {
-  const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), call.word(0));
-  if (found == std::end(highlight_names)) {
-    return reading.diagnostics.error(call.place_of_argument(0),
-                                     fmt::format("there is no highlight {}; there are {}", in_quotes(call.word(0)),
-                                                 fmt::join(highlight_names, ", ")));
+  const std::optional<Highlight> found = value_named<Highlight>(call.word(0), highlight_names);
+  if (!found) {
+    return reading.error(call.place_of_argument(0), "there is no highlight {}; there are {}", in_quotes(call.word(0)),
+                         fmt::join(highlight_names, ", "));
   }
-  reading.highlight = static_cast<Highlight>(found - std::begin(highlight_names));
+  reading.highlight = *found;
 }
 
-void diffuse(Reading& reading, const Call& call) { reading.builder.set_surface(with_ambient(call)); }
+void diffuse(Reading& reading, const Call& call) { replace(reading, with_ambient(call)); }
 
 void reflective(Reading& reading, const Call& call) {
-  Surface surface = with_ambient(call);
+  Surface& surface = replace(reading, with_ambient(call));
   surface.reflection = call[6];
-  reading.builder.set_surface(surface);
 }
 
 void shiny(Reading& reading, const Call& call) {
-  Surface surface = with_ambient(call);
   if (!has_index(reading, call, 11)) return;
+  Surface& surface = replace(reading, with_ambient(call));
   add_open_specular(reading, surface, call);
   surface.transmission = call[11];
   surface.refraction_index = call[12];
-  reading.builder.set_surface(surface);
 }
 
 void glossy(Reading& reading, const Call& call) {
-  Surface surface = plain(call);
+  Surface& surface = replace(reading, plain(call));
   add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
-  reading.builder.set_surface(surface);
 }
 
 void translucent(Reading& reading, const Call& call) {
   if (!has_index(reading, call, 9)) return;
-  Surface surface = plain(call);
+  Surface& surface = replace(reading, plain(call));
   add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
   surface.transmission = call[9];
   surface.refraction_index = call[10];
   surface.blur_radius = call[11];
-  reading.builder.set_surface(surface);
 }
 
 void noise(Reading& reading, const Call& call) {
-  Surface surface = reading.builder.surface();
-  surface.texture = Texture::noise;
-  surface.texture_scale = call[0];
-  reading.builder.set_surface(surface);
+  reading.builder.surface().texture = Texture::noise;
+  reading.builder.surface().texture_scale = call[0];
 }
 
-void wood(Reading& reading, const Call&) { set_texture(reading, Texture::wood); }
+void wood(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::wood; }
 
-void marble(Reading& reading, const Call&) { set_texture(reading, Texture::marble); }
+void marble(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::marble; }
 
-void stone(Reading& reading, const Call&) { set_texture(reading, Texture::stone); }
+void stone(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::stone; }
 
 }  // namespace penumbra::actions

@@ -3,11 +3,7 @@
 #include <limits>
 
 namespace penumbra {
-namespace {
-
 constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
-
-}  // namespace
 
 void TriangleBuilder::start_file(const ReadProgress& progress) {
   progress_ = progress;

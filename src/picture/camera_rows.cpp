@@ -1,14 +1,11 @@
 // Options of the camera and its time, and of what is kept of the picture.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
-#include "base/number_list.hpp"
-#include "picture/development.hpp"
+#include "picture/develop.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
@@ -18,8 +15,10 @@ namespace {
 
 using Options = PictureOptions;
 
-std::string pair_in_words(const std::optional<std::pair<double, double>>& pair) {
-  return pair ? fmt::format("{},{}", pair->first, pair->second) : std::string();
+// The words of a row for two numbers.
+template <auto asked>
+std::string pair_in_words(const Options& options, const Settings&) {
+  return options.*asked ? fmt::format("{},{}", (options.*asked)->first, (options.*asked)->second) : std::string();
 }
 
 }  // namespace
@@ -53,31 +52,17 @@ PictureOption shutter() {
     options.shutter = {n[0], n[1]};
     return std::string();
   };
-  row.words = [](const Options& options, const Settings&) { return pair_in_words(options.shutter); };
+  row.words = pair_in_words<&Options::shutter>;
   row.apply = [](Scene& scene, const Options& options) {
     if (options.shutter) std::tie(scene.camera.shutter_open, scene.camera.shutter_close) = *options.shutter;
   };
   row.lines = shutter_lines;
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double open = scene.camera.shutter_open, close = scene.camera.shutter_close;
-    return {{"shutter opens",
-             Knob::Kind::real,
-             open,
-             -farthest_time,
-             farthest_time,
-             {},
-             [close](Options& options, double value) {
-               options.shutter = {value, std::max(value, close)};
-             }},
-            {"shutter closes",
-             Knob::Kind::real,
-             close,
-             -farthest_time,
-             farthest_time,
-             {},
-             [open](Options& options, double value) {
-               options.shutter = {open, std::max(value, open)};
-             }}};
+    return {{"shutter opens", Knob::Kind::real, open, -farthest_time, farthest_time,
+             [close](Options& o, double value) { o.shutter = std::pair(value, std::max(value, close)); }},
+            {"shutter closes", Knob::Kind::real, close, -farthest_time, farthest_time,
+             [open](Options& o, double value) { o.shutter = std::pair(open, std::max(value, open)); }}};
   };
   return row;
 }
@@ -87,9 +72,7 @@ PictureOption time() {
   row.parse = [](Options& options, std::string_view text) {
     return parse_number(text, -farthest_time, farthest_time, "a time from -1e6 to 1e6", options.time);
   };
-  row.words = [](const Options& options, const Settings&) {
-    return options.time ? fmt::format("{}", *options.time) : std::string();
-  };
+  row.words = words_if_given<&Options::time>;
   row.apply = [](Scene& scene, const Options& options) {
     if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
   };
@@ -121,9 +104,7 @@ PictureOption frame() {
   row.parse = [](Options& options, std::string_view text) {
     return parse_whole(text, 0, last_possible_frame, options.frame);
   };
-  row.words = [](const Options& options, const Settings&) {
-    return options.frame ? fmt::format("{}", *options.frame) : std::string();
-  };
+  row.words = words_if_given<&Options::frame>;
   return row;
 }
 
@@ -138,7 +119,7 @@ PictureOption lens() {
     options.lens = {n[0], n[1]};
     return std::string();
   };
-  row.words = [](const Options& options, const Settings&) { return pair_in_words(options.lens); };
+  row.words = pair_in_words<&Options::lens>;
   row.apply = [](Scene& scene, const Options& options) {
     if (!options.lens) return;
     std::tie(scene.camera.lens_radius, scene.camera.focus_distance) = *options.lens;
@@ -147,18 +128,10 @@ PictureOption lens() {
   row.lines = lens_lines;
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double radius = scene.camera.lens_radius, distance = scene.camera.focus_distance;
-    return {{"lens radius",
-             Knob::Kind::real,
-             radius,
-             0,
-             1e6,
-             {},
-             [distance](Options& options, double value) {
-               options.lens = {value, distance};
-             }},
-            {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6, {}, [radius](Options& options, double value) {
-               options.lens = {radius, value};
-             }}};
+    return {{"lens radius", Knob::Kind::real, radius, 0, 1e6,
+             [distance](Options& o, double value) { o.lens = std::pair(value, distance); }},
+            {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6,
+             [radius](Options& o, double value) { o.lens = std::pair(radius, value); }}};
   };
   return row;
 }
@@ -169,10 +142,7 @@ PictureOption lens_model() {
                     "[thin]",
                     ""};
   row.parse = [](Options& options, std::string_view text) {
-    const auto found = std::find(std::begin(lens_model_names), std::end(lens_model_names), text);
-    if (found == std::end(lens_model_names)) return unknown("lens model", text, listed(lens_model_names));
-    options.lens_model = static_cast<LensModel>(found - std::begin(lens_model_names));
-    return std::string();
+    return parse_name<LensModel>("lens model", text, lens_model_names, options.lens_model);
   };
   row.words = [](const Options& options, const Settings&) {
     return options.lens_model == LensModel::thin ? std::string() : std::string(lens_model_names[1]);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+
+#include "base/archive.hpp"
 
 namespace penumbra {
 namespace {
@@ -23,6 +26,40 @@ void add_channels(ImageFile& file, const LayerRow& row, const ZeroedVector<float
     Channel channel{fmt::format("{}.{}", row.name, row.channels[c]), ZeroedVector<float>(values.size() / channels)};
     for (std::size_t i = 0; i < channel.values.size(); i++) channel.values[i] = values[channels * i + c];
     file.layers.push_back(std::move(channel));
+  }
+}
+
+constexpr std::int64_t farthest_pixel = 1 << 30;
+
+template <class Archive>
+void serialize(Archive& archive, Archived<Archive, Development>& development) {
+  archive(development.full_width);
+  archive(development.full_height);
+  archive.list(development.rects, [](auto& out, auto& rect) {
+    for (auto* number : {&rect.x0, &rect.y0, &rect.x1, &rect.y1}) out(*number);
+    for (auto* channel : {&rect.color.x, &rect.color.y, &rect.color.z}) out(*channel);
+  });
+  archive.list(development.metadata, [](auto& out, auto& entry) {
+    out(entry.first);
+    out(entry.second);
+  });
+  archive(development.exposure_halves);
+  archive(development.bits);
+  serialize_enum(archive, development.rounding, Rounding::course);
+  if constexpr (Archive::reads) {
+    const auto is_size = [](int side) { return side >= 1 && side <= most_side; };
+    if (!is_size(development.full_width) || !is_size(development.full_height)) {
+      throw ArchiveError("the size is out of range");
+    }
+    for (const PaintedRect& rect : development.rects) {
+      for (const int number : {rect.x0, rect.y0, rect.x1, rect.y1}) {
+        if (std::abs(std::int64_t{number}) > farthest_pixel) throw ArchiveError("a rectangle is out of range");
+      }
+    }
+    if (std::abs(std::int64_t{development.exposure_halves}) > most_exposure_halves) {
+      throw ArchiveError("the exposure is out of range");
+    }
+    if (development.bits != 8 && development.bits != 16) throw ArchiveError("the number of bits is neither 8 nor 16");
   }
 }
 
@@ -59,6 +96,20 @@ ImageFile develop(Film film, const Development& development) {
   }
   file.image = develop_color(film, development);
   return file;
+}
+
+std::string to_bytes(const Development& development) {
+  ArchiveWriter archive;
+  serialize(archive, development);
+  return {reinterpret_cast<const char*>(archive.bytes().data()), archive.bytes().size()};
+}
+
+Development development_from(const std::string& bytes) {
+  Development development;
+  ArchiveReader archive(std::as_bytes(std::span(bytes)));
+  serialize(archive, development);
+  if (!archive.at_end()) throw ArchiveError("it has more data than expected");
+  return development;
 }
 
 }  // namespace penumbra

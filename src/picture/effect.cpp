@@ -22,13 +22,6 @@ void set_radii(std::vector<Surface>& surfaces, const std::vector<NumberedRadius>
 
 }  // namespace
 
-std::optional<Effect> effect_from_name(std::string_view name) {
-  for (int i = 0; i < effect_count; i++) {
-    if (effect_names[i] == name) return static_cast<Effect>(i);
-  }
-  return std::nullopt;
-}
-
 std::string to_string(Effects effects) {
   std::string text;
   for (int i = 0; i < effect_count; i++) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +23,6 @@ enum class Effect : std::uint8_t {
 inline constexpr std::string_view effect_names[] = {"antialiasing", "lens",  "motion",
                                                     "disk-lights",  "gloss", "translucency"};
 inline constexpr int effect_count = 6;
-
-std::optional<Effect> effect_from_name(std::string_view name);
 
 // A set of effects.
 class Effects {

@@ -1,5 +1,4 @@
 // Options that set the strength of an effect, for everything that has it or for one thing by its number.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "picture/option_rows.hpp"
@@ -11,7 +10,7 @@ namespace {
 
 using Options = PictureOptions;
 
-// A row for radii of numbered things.
+// A row for the radii of lights or surfaces, chosen by number.
 template <auto asked, auto set>
 PictureOption radii(std::string_view name, std::string help, std::string_view command) {
   PictureOption row{name, "[N:]R", std::move(help), command, OptionUse::everywhere, true};
@@ -21,9 +20,26 @@ PictureOption radii(std::string_view name, std::string help, std::string_view co
   return row;
 }
 
-void replace_radius(std::vector<NumberedRadius>& radii, int number, double radius) {
-  std::erase_if(radii, [number](const NumberedRadius& r) { return r.number == number; });
-  radii.push_back({number, radius});
+// A knob for the radius of the light or surface with this number.
+template <auto asked>
+Knob radius_knob(std::string label, int number, double now) {
+  return {std::move(label), Knob::Kind::real, now, 0, 1e6, [number](Options& options, double value) {
+            std::erase_if(options.*asked, [number](const NumberedRadius& r) { return r.number == number; });
+            (options.*asked).push_back({number, value});
+          }};
+}
+
+// A knob for the radius of each surface with some `share` of reflected or transmitted light.
+template <auto asked, double Surface::*share, double Surface::*radius>
+std::vector<Knob> surface_knobs(const Scene& scene, std::string_view name) {
+  std::vector<Knob> knobs;
+  for (int number = 1; const Surface& surface : scene.surfaces) {
+    if (surface.*share != 0) {
+      knobs.push_back(radius_knob<asked>(fmt::format("{}, surface {}", name, number), number, surface.*radius));
+    }
+    number++;
+  }
+  return knobs;
 }
 
 }  // namespace
@@ -34,17 +50,12 @@ PictureOption disk_radius() {
   row.lines = light_lines;
   row.knobs = [](const Scene& scene, const Options&) {
     std::vector<Knob> knobs;
-    for (std::size_t i = 0; i < scene.lights.size(); i++) {
-      const auto* disk = std::get_if<DiskLight>(&scene.lights[i]);
-      if (!disk) continue;
-      const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("disk radius, light {}", number),
-                       Knob::Kind::real,
-                       disk->radius,
-                       0,
-                       1e6,
-                       {},
-                       [number](Options& o, double value) { replace_radius(o.disk_radius, number, value); }});
+    for (int number = 1; const Light& light : scene.lights) {
+      if (const auto* disk = std::get_if<DiskLight>(&light)) {
+        knobs.push_back(
+            radius_knob<&Options::disk_radius>(fmt::format("disk radius, light {}", number), number, disk->radius));
+      }
+      number++;
     }
     return knobs;
   };
@@ -57,19 +68,7 @@ PictureOption gloss() {
       "glossy ... gloss_radius");
   row.lines = surface_lines;
   row.knobs = [](const Scene& scene, const Options&) {
-    std::vector<Knob> knobs;
-    for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
-      if (scene.surfaces[i].reflection == 0) continue;
-      const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("gloss, surface {}", number),
-                       Knob::Kind::real,
-                       scene.surfaces[i].gloss_radius,
-                       0,
-                       1e6,
-                       {},
-                       [number](Options& o, double value) { replace_radius(o.gloss, number, value); }});
-    }
-    return knobs;
+    return surface_knobs<&Options::gloss, &Surface::reflection, &Surface::gloss_radius>(scene, "gloss");
   };
   return row;
 }
@@ -80,19 +79,7 @@ PictureOption blur() {
       "translucent ... blur_radius");
   row.lines = no_lines;  // --gloss has them
   row.knobs = [](const Scene& scene, const Options&) {
-    std::vector<Knob> knobs;
-    for (std::size_t i = 0; i < scene.surfaces.size(); i++) {
-      if (scene.surfaces[i].transmission == 0) continue;
-      const int number = static_cast<int>(i) + 1;
-      knobs.push_back({fmt::format("blur, surface {}", number),
-                       Knob::Kind::real,
-                       scene.surfaces[i].blur_radius,
-                       0,
-                       1e6,
-                       {},
-                       [number](Options& o, double value) { replace_radius(o.blur, number, value); }});
-    }
-    return knobs;
+    return surface_knobs<&Options::blur, &Surface::transmission, &Surface::blur_radius>(scene, "blur");
   };
   return row;
 }
@@ -105,7 +92,7 @@ PictureOption without() {
                     OptionUse::everywhere,
                     true};
   row.parse = [](Options& options, std::string_view text) {
-    const std::optional<Effect> effect = effect_from_name(text);
+    const std::optional<Effect> effect = value_named<Effect>(text, effect_names);
     if (!effect) return unknown("effect", text, listed(effect_names));
     options.without.add(*effect);
     return std::string();
@@ -120,12 +107,7 @@ PictureOption without() {
     std::vector<Knob> knobs;
     for (int i = 0; i < effect_count; i++) {
       const auto effect = static_cast<Effect>(i);
-      knobs.push_back({std::string(effect_names[i]),
-                       Knob::Kind::toggle,
-                       options.without.has(effect) ? 0.0 : 1.0,
-                       0,
-                       1,
-                       {},
+      knobs.push_back({std::string(effect_names[i]), Knob::Kind::toggle, options.without.has(effect) ? 0.0 : 1.0, 0, 1,
                        [effect](Options& o, double) { o.without.toggle(effect); }});
     }
     return knobs;

@@ -2,42 +2,35 @@
 
 #include <algorithm>
 
+#include "base/version.hpp"
 #include "picture/option_rows.hpp"
 
 namespace penumbra {
 
+namespace {
+
+template <option_rows::MakeRow&... make_row>
+std::span<const PictureOption> table_of() {
+  static const std::vector<PictureOption> table{make_row()...};
+  return table;
+}
+
+template <class Words, class IsWanted>
+void add_words(Words& words, const Scene& scene, const PictureOptions& options, const IsWanted& is_wanted) {
+  for (const PictureOption& row : option_table()) {
+    if (!is_wanted(row.use)) continue;
+    if (std::string said = row.words(options, scene.settings); !said.empty())
+      words.emplace_back(row.name, std::move(said));
+  }
+}
+
+}  // namespace
+
 std::span<const PictureOption> option_table() {
   using namespace option_rows;
-  static const std::vector<PictureOption> table = {size(),
-                                                   rays(),
-                                                   sampler(),
-                                                   seed(),
-                                                   max_depth(),
-                                                   reflection_rays(),
-                                                   transmission_rays(),
-                                                   shadow_rays(),
-                                                   sampler_light(),
-                                                   crop(),
-                                                   noise(),
-                                                   shutter(),
-                                                   time(),
-                                                   frames(),
-                                                   frame(),
-                                                   lens(),
-                                                   disk_radius(),
-                                                   gloss(),
-                                                   blur(),
-                                                   without(),
-                                                   exposure(),
-                                                   course(),
-                                                   highlight(),
-                                                   lenient(),
-                                                   no_shadows(),
-                                                   lens_model(),
-                                                   transparent_shadows(),
-                                                   aov(),
-                                                   bits()};
-  return table;
+  return table_of<size, rays, sampler, seed, max_depth, reflection_rays, transmission_rays, shadow_rays, sampler_light,
+                  crop, noise, shutter, time, frames, frame, lens, disk_radius, gloss, blur, without, exposure, course,
+                  highlight, lenient, no_shadows, lens_model, transparent_shadows, aov, bits>();
 }
 
 const PictureOption& option_named(std::string_view name) {
@@ -52,6 +45,19 @@ std::string parse_option(const PictureOption& option, PictureOptions& options, s
     text.remove_prefix(comma + 1);
   }
   return option.parse(options, text);
+}
+
+Metadata metadata_for(const std::filesystem::path& file, const Scene& scene, const PictureOptions& options) {
+  Metadata metadata = {{"scene", file.filename().string()}, {"version", version}};
+  add_words(metadata, scene, options,
+            [](OptionUse use) { return use == OptionUse::everywhere || use == OptionUse::render; });
+  return metadata;
+}
+
+PlanInWords plan_in_words(const Scene& scene, const PictureOptions& options) {
+  PlanInWords words;
+  add_words(words, scene, options, [](OptionUse use) { return use != OptionUse::output_only; });
+  return words;
 }
 
 }  // namespace penumbra

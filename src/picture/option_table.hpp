@@ -4,13 +4,16 @@
 // docs/options.md all come from here.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "image/image.hpp"
 #include "picture/picture_options.hpp"
+#include "rendering/picture_key.hpp"
 
 namespace penumbra {
 
@@ -21,8 +24,8 @@ struct Knob {
   Kind kind = Kind::real;
   double value = 0;  // the index of a choice; 0 or 1 for a toggle
   double low = 0, high = 1e6;
-  std::span<const std::string_view> choices = {};
   std::function<void(PictureOptions&, double)> set;
+  std::span<const std::string_view> choices = {};
 };
 
 // Which commands take an option, and where its words are recorded.
@@ -63,5 +66,13 @@ const PictureOption& option_named(std::string_view name);
 
 // Parses and stores a whole text: all values of a list.
 std::string parse_option(const PictureOption& option, PictureOptions& options, std::string_view text);
+
+// What a picture file records about its making: everything needed to repeat it, and nothing else; never time, host,
+// threads or instruction set. For the picture of a scene that with_options returned, read from `file`. Every key except
+// `scene` and `version` is an option of `penumbra render` (a flag if the value is `yes`).
+Metadata metadata_for(const std::filesystem::path& file, const Scene& scene, const PictureOptions& options);
+
+// The options that sums of samples depend on: the same without the scene's name and the version, but with the layers.
+PlanInWords plan_in_words(const Scene& scene, const PictureOptions& options);
 
 }  // namespace penumbra

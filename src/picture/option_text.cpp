@@ -1,39 +1,16 @@
 #include "picture/option_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <charconv>
-
-#include "base/number_list.hpp"
 
 namespace penumbra {
 namespace {
 
-// Removes a number without a sign from the front of `text`; none if there is none.
-std::optional<int> take_number(std::string_view& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || text.front() == '-') return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
-}
-
-bool take(std::string_view& text, char letter) {
-  if (text.empty() || text.front() != letter) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
 std::optional<AnimationRange> range_from(std::string_view text) {
-  const auto first = take_number(text);
-  if (!first || !take(text, '-')) return std::nullopt;
-  const auto last = take_number(text);
-  if (!last) return std::nullopt;
-  const auto step = take(text, 'x') ? take_number(text) : 1;
-  if (!step || !text.empty()) return std::nullopt;
-  if (*first > *last || *last > last_possible_frame || *step < 1) return std::nullopt;
-  return AnimationRange{*first, *last, *step};
+  const std::size_t x = text.find('x');
+  const std::vector<int> ends = whole_numbers(text.substr(0, x), '-');
+  const int step = x == text.npos ? 1 : number_from<int>(text.substr(x + 1)).value_or(0);
+  if (ends.size() != 2 || ends[0] > ends[1] || ends[1] > last_possible_frame || step < 1) return std::nullopt;
+  return AnimationRange{ends[0], ends[1], step};
 }
 
 }  // namespace
@@ -46,17 +23,6 @@ std::string expected(std::string_view text, std::string_view what) {
 
 std::string unknown(std::string_view what, std::string_view text, std::string_view names) {
   return fmt::format("there is no {} `{}`; there are {}", what, text, names);
-}
-
-std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::int64_t& value) {
-  std::int64_t number = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc{} || end != last || number < low || number > high) {
-    return expected(text, fmt::format("a whole number from {} to {}", low, high));
-  }
-  value = number;
-  return {};
 }
 
 std::string parse_number(std::string_view text, double low, double high, std::string_view what,

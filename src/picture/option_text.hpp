@@ -1,6 +1,8 @@
 // Option values as text: reading and writing shared by the rows of the option table.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parse.hpp"
 #include "picture/picture_options.hpp"
 
 namespace penumbra {
@@ -25,15 +28,32 @@ std::string unknown(std::string_view what, std::string_view text, std::string_vi
 
 // Parse a decimal number from `low` to `high`. Return what is wrong with the text, leaving `value` unchanged; empty if
 // nothing is.
-std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::int64_t& value);
+template <class Value>
+std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, Value& value) {
+  const auto number = number_from<std::int64_t>(text);
+  if (!number || *number < low || *number > high) {
+    return expected(text, fmt::format("a whole number from {} to {}", low, high));
+  }
+  value = *number;
+  return {};
+}
 std::string parse_number(std::string_view text, double low, double high, std::string_view what,
                          std::optional<double>& value);
-template <class Number>
-std::string parse_whole(std::string_view text, std::int64_t low, std::int64_t high, std::optional<Number>& value) {
-  std::int64_t number = 0;
-  std::string wrong = parse_whole(text, low, high, number);
-  if (wrong.empty()) value = static_cast<Number>(number);
-  return wrong;
+
+// Parses one of `names`, the values of an enumeration in its order; `what` says in an error what they are.
+template <class Enum, class Value>
+std::string parse_name(std::string_view what, std::string_view text, std::span<const std::string_view> names,
+                       Value& value) {
+  const std::optional<Enum> found = value_named<Enum>(text, names);
+  if (!found) return unknown(what, text, listed(names));
+  value = *found;
+  return {};
+}
+
+// The words of a row for a number: those of the number if it is given.
+template <auto asked>
+std::string words_if_given(const PictureOptions& options, const Settings&) {
+  return options.*asked ? fmt::format("{}", *(options.*asked)) : std::string();
 }
 
 // "A-B" or "A-BxSTEP".

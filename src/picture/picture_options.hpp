@@ -7,13 +7,35 @@
 #include <utility>
 #include <vector>
 
-#include "picture/animation.hpp"
 #include "picture/effect.hpp"
 #include "rendering/plan.hpp"
 #include "sampling/pattern.hpp"
 #include "scene/scene.hpp"
 
 namespace penumbra {
+
+inline constexpr int last_possible_frame = 999'999;
+
+// Frames first, first + step, ... of an animation that runs from `first` to `last`.
+struct AnimationRange {
+  int first = 0, last = 0, step = 1;
+
+  bool operator==(const AnimationRange&) const = default;
+};
+
+struct AnimationFrame {
+  int first = 0, last = 0;  // of the animation
+  int frame = 0;
+
+  // Maps `own`, the time within the frame (0: it begins, 1: the next one begins), to the time of the animation: 0 where
+  // the first frame begins, 1 where the last one begins. The end of a frame and the beginning of the next are the same
+  // number, to the bit. An animation of one frame is a still picture: its time is `own`.
+  double time_at(double own) const {
+    return (static_cast<double>(frame - first) + own) / (last > first ? last - first : 1);
+  }
+
+  bool operator==(const AnimationFrame&) const = default;
+};
 
 // An empty option leaves the scene's own value.
 struct PictureOptions {

@@ -4,8 +4,7 @@
 
 #include <string_view>
 
-#include "language/reference_page.hpp"
-#include "picture/option_page.hpp"
+#include "picture/reference_pages.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 64;

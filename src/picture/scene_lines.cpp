@@ -19,19 +19,8 @@ std::string surface_line(const Surface& s) {
 }
 
 std::string texture_line(const Surface& s) {
-  switch (s.texture) {
-    case Texture::none:
-      return {};
-    case Texture::noise:
-      return fmt::format("noise {}\n", s.texture_scale);
-    case Texture::wood:
-      return "wood\n";
-    case Texture::marble:
-      return "marble\n";
-    case Texture::stone:
-      return "stone\n";
-  }
-  return {};
+  constexpr const char* lines[] = {"", "noise {}\n", "wood\n", "marble\n", "stone\n"};  // in the order of Texture
+  return fmt::format(fmt::runtime(lines[static_cast<std::size_t>(s.texture)]), s.texture_scale);
 }
 
 // `glossy` and `translucent` can express neither ambient light nor an open highlight.

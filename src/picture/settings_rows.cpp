@@ -1,11 +1,6 @@
 // Options of size, rays and samples: the settings of scene/settings.hpp, and when a pixel has enough rays.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
 #include <tuple>
 
-#include "base/number_list.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
@@ -92,8 +87,7 @@ PictureOption sampler() {
                                 listed(pattern_names), pattern_names[static_cast<int>(default_pattern)]),
                     "sampler name"};
   row.parse = [](Options& options, std::string_view text) {
-    options.sampler = pattern_from_name(text);
-    return options.sampler ? std::string() : unknown("pattern", text, listed(pattern_names));
+    return parse_name<Pattern>("pattern", text, pattern_names, options.sampler);
   };
   row.words = [](const Options&, const Settings& settings) {
     return std::string(pattern_names[static_cast<int>(settings.pattern)]);
@@ -105,27 +99,19 @@ PictureOption sampler() {
   };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const int now = static_cast<int>(scene.settings.pattern);
-    return {{"sampler", Knob::Kind::choice, static_cast<double>(now), 0, 0, pattern_names,
-             [](Options& options, double value) { options.sampler = static_cast<Pattern>(static_cast<int>(value)); }}};
+    return {{"sampler", Knob::Kind::choice, static_cast<double>(now), 0, 0,
+             [](Options& options, double value) { options.sampler = static_cast<Pattern>(static_cast<int>(value)); },
+             pattern_names}};
   };
   row.each_side = true;
   return row;
 }
 
 PictureOption seed() {
-  PictureOption row{"seed", "N", "Seed of the sample pattern [the scene's, else 0]", "seed n"};
-  row.parse = [](Options& options, std::string_view text) { return parse_whole(text, 0, 0xffffffff, options.seed); };
-  row.words = [](const Options&, const Settings& settings) { return fmt::format("{}", settings.seed); };
-  row.apply = [](Scene& scene, const Options& options) {
-    if (options.seed) scene.settings.seed = *options.seed;
-  };
+  PictureOption row = whole_number<&Options::seed, &Settings::seed, 0, 0xffffffff, true>(
+      "seed", "Seed of the sample pattern [the scene's, else 0]", "seed n");
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
-    return {{"seed",
-             Knob::Kind::whole,
-             static_cast<double>(scene.settings.seed),
-             0,
-             0xffffffff,
-             {},
+    return {{"seed", Knob::Kind::whole, static_cast<double>(scene.settings.seed), 0, 0xffffffff,
              [](Options& options, double value) { options.seed = static_cast<std::uint32_t>(value); }}};
   };
   return row;
@@ -135,12 +121,7 @@ PictureOption max_depth() {
   PictureOption row = whole_number<&Options::max_depth, &Settings::max_depth, 0, most_depth, true>(
       "max-depth", "Depth at which no further rays are sent [the scene's, else 8]", "max_depth n");
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
-    return {{"max depth",
-             Knob::Kind::slider,
-             static_cast<double>(scene.settings.max_depth),
-             0,
-             20,
-             {},
+    return {{"max depth", Knob::Kind::slider, static_cast<double>(scene.settings.max_depth), 0, 20,
              [](Options& options, double value) { options.max_depth = static_cast<int>(value); }}};
   };
   return row;
@@ -182,9 +163,7 @@ PictureOption noise() {
   row.parse = [](Options& options, std::string_view text) {
     return parse_number(text, 1e-5, 1, "an error from 1e-5 to 1", options.noise);
   };
-  row.words = [](const Options& options, const Settings&) {
-    return options.noise ? fmt::format("{}", *options.noise) : std::string();
-  };
+  row.words = words_if_given<&Options::noise>;
   return row;
 }
 
@@ -220,10 +199,7 @@ PictureOption highlight() {
                     "Highlight of `surface` and `shiny`: max(0, N.H)^p or max(0, R.V)^p [the scene's, else blinn]",
                     "highlight blinn|phong"};
   row.parse = [](Options& options, std::string_view text) {
-    const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), text);
-    if (found == std::end(highlight_names)) return unknown("highlight", text, listed(highlight_names));
-    options.highlight = static_cast<Highlight>(found - std::begin(highlight_names));
-    return std::string();
+    return parse_name<Highlight>("highlight", text, highlight_names, options.highlight);
   };
   row.words = [](const Options& options, const Settings&) {
     return options.highlight ? std::string(highlight_names[static_cast<int>(*options.highlight)]) : std::string();

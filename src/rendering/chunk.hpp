@@ -8,7 +8,7 @@
 #include <span>
 
 #include "rendering/film.hpp"
-#include "rendering/render_state.hpp"
+#include "rendering/plan.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "rendering/render_state.hpp"
+#include "rendering/plan.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra {

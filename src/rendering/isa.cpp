@@ -4,40 +4,38 @@
 
 namespace penumbra {
 
-std::span<const Kernel* const> built_kernels() {
-  static const std::vector<const Kernel*> kernels = {
+namespace {
+
+// The kernels of this program, or those that this machine can run.
+std::vector<const Kernel*> kernels(bool usable) {
+  std::vector<const Kernel*> list;
+  const auto add = [&](const Kernel& kernel, bool runs_here) {
+    if (runs_here || !usable) list.push_back(&kernel);
+  };
 #ifdef PENUMBRA_HAS_SSE42
-      &lanes4::kernel,
+  add(lanes4::kernel, __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"));
 #endif
 #ifdef PENUMBRA_HAS_AVX2
-      &lanes8::kernel,
+  add(lanes8::kernel,
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"));
 #endif
 #ifdef PENUMBRA_HAS_AVX512
-      &lanes16::kernel,
+  add(lanes16::kernel, __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"));
 #endif
-  };
-  return kernels;
+  return list;
+}
+
+}  // namespace
+
+std::span<const Kernel* const> built_kernels() {
+  static const std::vector<const Kernel*> built = kernels(false);
+  return built;
 }
 
 std::span<const Kernel* const> usable_kernels() {
-  static const std::vector<const Kernel*> kernels = [] {
-    std::vector<const Kernel*> usable;
-#ifdef PENUMBRA_HAS_SSE42
-    if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt")) usable.push_back(&lanes4::kernel);
-#endif
-#ifdef PENUMBRA_HAS_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"))
-      usable.push_back(&lanes8::kernel);
-#endif
-#ifdef PENUMBRA_HAS_AVX512
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-      usable.push_back(&lanes16::kernel);
-    }
-#endif
-    return usable;
-  }();
-  return kernels;
+  static const std::vector<const Kernel*> usable = kernels(true);
+  return usable;
 }
 
 const Kernel* kernel_from_name(std::span<const Kernel* const> kernels, std::string_view isa) {

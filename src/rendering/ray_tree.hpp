@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <string>
 
 #include "tracing/kernel.hpp"
 
@@ -25,5 +26,8 @@ std::array<float, 3> sum_of(const RayTree& tree, std::size_t ray);
 
 // What the sample adds to the film: its colour, rounded as exact sums require.
 std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree);
+
+// The rays as text. One line per ray, indented by depth, with every number to its last digit; then the sum.
+std::string ray_tree_text(const Frame& frame, const RayTree& tree, int x, int y, std::uint32_t sample);
 
 }  // namespace penumbra

@@ -6,7 +6,7 @@
 
 #include "base/archive.hpp"
 #include "rendering/film.hpp"
-#include "rendering/render_state.hpp"
+#include "rendering/plan.hpp"
 #include "rendering/tile_grid.hpp"
 #include "tracing/kernel.hpp"
 

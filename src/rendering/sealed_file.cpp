@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
-#include <array>
 #include <cstring>
 
 #include "base/content_hash.hpp"
@@ -20,8 +19,6 @@ constexpr bool checks_checksums = false;  // a fuzzer would never find a right o
 #else
 constexpr bool checks_checksums = true;
 #endif
-
-std::uint64_t seal_of(std::span<const std::byte> block, std::uint64_t number) { return checksum(block, number); }
 
 }  // namespace
 
@@ -44,7 +41,7 @@ std::vector<std::byte> SealedWriter::finish() {
 
 void SealedWriter::write(std::span<const std::byte> block) {
   out_(std::uint64_t{block.size()});
-  out_(seal_of(block, number_++));
+  out_(checksum(block, number_++));
   out_.numbers(std::span(reinterpret_cast<const unsigned char*>(block.data()), block.size()));
 }
 
@@ -79,7 +76,7 @@ std::span<const std::byte> SealedReader::next() {
   head(seal);
   if (length > left - block_head_size) fail("the file ends too early");
   const auto block = bytes_.subspan(position_ + block_head_size, static_cast<std::size_t>(length));
-  if (checks_checksums && seal != seal_of(block, number_ - 1)) fail("its checksum does not match");
+  if (checks_checksums && seal != checksum(block, number_ - 1)) fail("its checksum does not match");
   position_ += block_head_size + block.size();
   if (block.empty() && position_ != bytes_.size()) fail("the file continues after its end");
   return block;

@@ -6,12 +6,8 @@
 #include "rendering/saved_sums.hpp"
 
 namespace penumbra {
-namespace {
-
 // With fewer samples, a half is not rendered in two parts, which would not fill their packets.
 constexpr std::uint32_t fewest_samples_in_parts = 32;
-
-}  // namespace
 
 bool TileRefinement::go_on(const ChunkRenderer& renderer, const AdaptiveRules& rules) {
   do {

@@ -1,12 +1,22 @@
-// A render in which every pixel gets the same number of samples.
+// Renders in which every pixel gets the same number of samples: a pass over a film, and a whole picture.
 #pragma once
 
 #include <cstdint>
 
+#include "rendering/film.hpp"
+#include "rendering/plan.hpp"
 #include "rendering/resumable_render.hpp"
+#include "tracing/kernel.hpp"
 
 namespace penumbra {
 
+// Adds the samples of the range to every pixel of the film that the plan's shard has, on `plan.threads` threads; pixels
+// that already have some of them get the rest. Returns the rays sent. If stopped, some pixels have fewer samples, and
+// the film knows how many.
+RayCounts render_samples(Film& film, const Frame& frame, const Kernel& kernel, const Plan& plan, SampleRange range,
+                         RenderState& state);
+
+// A picture with the same number of samples in every pixel, as a render that can stop and resume.
 class UniformRender : public ResumableRender {
  public:
   // `in_passes`: all tiles get a few samples first, then as many again, and so on, so that there is a complete picture

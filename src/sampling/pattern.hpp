@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace penumbra {
@@ -28,9 +27,6 @@ constexpr bool needs_count(Pattern pattern) {
   return pattern == Pattern::regular || pattern == Pattern::jittered || pattern == Pattern::multijittered ||
          pattern == Pattern::poisson;
 }
-
-// The pattern of this name, if there is one.
-std::optional<Pattern> pattern_from_name(std::string_view name);
 
 // The dimensions of an eye ray, which some patterns handle jointly. All later dimensions are named by hashes.
 enum JointDimension : std::uint32_t {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sampling/permutation.hpp"
-#include "sampling/poisson_table.hpp"
+#include "sampling/sample_tables.hpp"
 #include "sampling/strata.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {

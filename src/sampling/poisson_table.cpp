@@ -2,7 +2,7 @@
 // earlier one. Then the place farthest from all points is added, again and again. Each such place is no farther than
 // the one before, so the distance of the last is the least of all, and no place is farther than it: the set is maximal.
 // The farthest place is a corner of a Voronoi cell; the cells are kept as polygons and cut by every new point.
-#include "sampling/poisson_table.hpp"
+#include "sampling/sample_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +147,6 @@ class Cells {
 // Throws `throws` darts and returns up to `most` points, no two of them nearer than `distance`.
 std::vector<Place> throw_darts(double distance, std::size_t most, std::uint32_t throws, std::uint32_t seed) {
   const int side = std::max(1, static_cast<int>(1 / distance));  // buckets at least as wide as the distance
-  const int reach = side < 3 ? 0 : 1;
   constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t> first(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), none), next;
   std::vector<Place> points;
@@ -158,12 +157,6 @@ std::vector<Place> throw_darts(double distance, std::size_t most, std::uint32_t 
     return true;
   };
   const auto is_free_around = [&](Place p, int column, int row) {
-    if (reach == 0) {
-      for (int bucket = 0; bucket < side * side; bucket++) {
-        if (!is_free(p, bucket)) return false;
-      }
-      return true;
-    }
     for (int dy = side - 1; dy <= side + 1; dy++) {
       for (int dx = side - 1; dx <= side + 1; dx++) {
         if (!is_free(p, (row + dy) % side * side + (column + dx) % side)) return false;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "sampling/owen.hpp"
-#include "sampling/sobol_table.hpp"
+#include "sampling/sample_tables.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 

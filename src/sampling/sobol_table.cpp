@@ -3,7 +3,7 @@
 // search (bench/direction_numbers.cpp): edges run through the pixel and the lens, the pixel and the light, the pixel
 // and time, so the points must be spread evenly over these together. With 64 to 256 rays per pixel, the error is 0.9 of
 // that of the usual order with the numbers of Joe and Kuo (2008) in soft shadows, 0.8 in motion blur.
-#include "sampling/sobol_table.hpp"
+#include "sampling/sample_tables.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 #include "viewer/error_estimate.hpp"
 #include "viewer/pass_schedule.hpp"
 #include "viewer/refiner.hpp"

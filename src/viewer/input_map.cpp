@@ -3,6 +3,9 @@
 #include <SDL_keycode.h>
 #include <SDL_scancode.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace penumbra {
 namespace {
 
@@ -16,42 +19,19 @@ char letter_of(const PressedKey& key) {
   return 0;
 }
 
-ViewCommand toggle(Effect effect) { return {ViewCommandKind::toggle_effect, 0, false, effect}; }
+constexpr ViewCommand toggle(Effect effect) { return {ViewCommandKind::toggle_effect, 0, false, effect}; }
 
-ViewCommand command_of_letter(char letter, bool shift) {
-  switch (letter) {
-    case 'h':
-      return {ViewCommandKind::help};
-    case 'r':
-      return {ViewCommandKind::restart};
-    case 's':
-      return {ViewCommandKind::save};
-    case 'c':
-      return {ViewCommandKind::copy};
-    case 'f':
-      return {ViewCommandKind::focus};
-    case 'v':
-      return {ViewCommandKind::split};
-    case 'e':
-      return {shift ? ViewCommandKind::darker : ViewCommandKind::brighter};
-    case 'p':
-      return {ViewCommandKind::next_sampler};
-    case 'a':
-      return toggle(Effect::antialiasing);
-    case 'l':
-      return toggle(Effect::lens);
-    case 'm':
-      return toggle(Effect::motion);
-    case 'd':
-      return toggle(Effect::disk_lights);
-    case 'g':
-      return toggle(Effect::gloss);
-    case 't':
-      return toggle(Effect::translucency);
-    default:
-      return {};
-  }
-}
+struct Letter {
+  char letter;
+  ViewCommand command;
+};
+
+constexpr Letter letters[] = {
+    {'h', {ViewCommandKind::help}},         {'r', {ViewCommandKind::restart}},   {'s', {ViewCommandKind::save}},
+    {'c', {ViewCommandKind::copy}},         {'f', {ViewCommandKind::focus}},     {'v', {ViewCommandKind::split}},
+    {'p', {ViewCommandKind::next_sampler}}, {'a', toggle(Effect::antialiasing)}, {'l', toggle(Effect::lens)},
+    {'m', toggle(Effect::motion)},          {'d', toggle(Effect::disk_lights)},  {'g', toggle(Effect::gloss)},
+    {'t', toggle(Effect::translucency)}};
 
 ViewCommand step(int samples) { return {ViewCommandKind::step_sample, samples}; }
 
@@ -59,25 +39,21 @@ ViewCommand step(int samples) { return {ViewCommandKind::step_sample, samples}; 
 
 ViewCommand command_of_key(const PressedKey& key) {
   if (key.other_modifier) return {};
-  switch (key.scancode) {
-    case SDL_SCANCODE_LEFT:
-      return step(-1);
-    case SDL_SCANCODE_RIGHT:
-      return step(1);
-    case SDL_SCANCODE_UP:
-      return step(-16);
-    case SDL_SCANCODE_DOWN:
-      return step(16);
-    default:
-      break;
-  }
+  if (key.scancode == SDL_SCANCODE_LEFT) return step(-1);
+  if (key.scancode == SDL_SCANCODE_RIGHT) return step(1);
+  if (key.scancode == SDL_SCANCODE_UP) return step(-16);
+  if (key.scancode == SDL_SCANCODE_DOWN) return step(16);
   if (key.repeated) return {};
   if (key.scancode == SDL_SCANCODE_ESCAPE) return {ViewCommandKind::quit};
   if (key.scancode == SDL_SCANCODE_SPACE) return {ViewCommandKind::pause};
   if (key.scancode >= SDL_SCANCODE_1 && key.scancode <= SDL_SCANCODE_9) {
     return {ViewCommandKind::load_scene, key.scancode - SDL_SCANCODE_1 + 1, key.shift};
   }
-  return command_of_letter(letter_of(key), key.shift);
+  const char letter = letter_of(key);
+  if (letter == 'e') return {key.shift ? ViewCommandKind::darker : ViewCommandKind::brighter};
+  const auto* found =
+      std::find_if(std::begin(letters), std::end(letters), [&](const Letter& l) { return l.letter == letter; });
+  return found != std::end(letters) ? found->command : ViewCommand();
 }
 
 ViewCommand command_of_text(std::string_view text) {

@@ -1,13 +1,66 @@
-// Maps keys to commands. Digits are recognised by the position of the key, so that every layout works; letters by what
-// is printed on the key, or by its position if that is not a Latin letter; `+`, `-` and `?` by the text they type.
+// The commands that keys give to the window. Digits are recognised by the position of the key, so that every layout
+// works; letters by what is printed on the key, or by its position if that is not a Latin letter; `+`, `-` and `?` by
+// the text they type.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-#include "viewer/command.hpp"
+#include "picture/effect.hpp"
 
 namespace penumbra {
+
+enum class ViewCommandKind {
+  none,
+  load_scene,  // `number`, and `twin`
+  help,
+  pause,
+  restart,
+  save,
+  copy,
+  focus,
+  split,
+  brighter,
+  darker,
+  next_sampler,
+  toggle_effect,  // `effect`
+  more_rays,
+  fewer_rays,
+  step_sample,  // of the inspected pixel, by `number`
+  quit
+};
+
+struct ViewCommand {
+  ViewCommandKind kind = ViewCommandKind::none;
+  int number = 0;
+  bool twin = false;
+  Effect effect = Effect::antialiasing;
+
+  bool operator==(const ViewCommand&) const = default;
+};
+
+// A line of the help overlay.
+struct KeyHelp {
+  const char* keys;
+  const char* meaning;
+};
+
+inline constexpr KeyHelp key_help[] = {
+    {"1 .. 9", "scene s01a.cli .. s09a.cli of the folder; with Shift its twin, s01b.cli .. s09b.cli"},
+    {"H or ?", "this help"},
+    {"Space", "pause and resume"},
+    {"R", "read the scene again and start from scratch"},
+    {"+ and -", "twice or half as many rays per pixel"},
+    {"S", "save the picture as a PNG"},
+    {"C", "copy the changed settings as lines of the scene language"},
+    {"F", "focus the lens at the cursor"},
+    {"P", "next sampler"},
+    {"A L M D G T", "switch on and off: antialiasing, lens, motion, disk lights, gloss, translucency"},
+    {"V", "split view: P and the effects change the right half; drag the divider"},
+    {"E, Shift+E", "brighter, darker"},
+    {"wheel, drag", "zoom, pan"},
+    {"click", "what that pixel saw; the arrow keys step through its samples"},
+    {"Esc", "quit"}};
 
 // A key that went down, in SDL's codes.
 struct PressedKey {

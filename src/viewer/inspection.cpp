@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <string_view>
 
-#include "picture/metadata.hpp"
+#include "base/shell_words.hpp"
 #include "picture/option_table.hpp"
-#include "picture/ray_tree_text.hpp"
 
 namespace penumbra {
 namespace {
@@ -85,24 +83,12 @@ class Plotter {
   std::vector<int> light_;
 };
 
-// The text as one word of a shell command.
-std::string quoted(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("-_./,:+=@%").find(c) != std::string_view::npos;
-  };
-  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 std::string command_for(const Refinement& picture, const RefinedSide& side, const InspectedSample& at) {
   Scene scene = *side.scene;
   scene.settings.rays_per_pixel = static_cast<int>(picture.rays);
   PictureOptions options = side.options;
   options.exposure_halves = 0;
-  std::string command = "penumbra render " + quoted(picture.loaded->path.string());
+  std::string command = "penumbra render " + shell_word(picture.loaded->path.string());
   for (const auto& [key, value] : metadata_for(picture.loaded->path, scene, options)) {
     if (key == "scene" || key == "version") continue;
     const char join = option_named(key).value_is_optional ? '=' : ' ';

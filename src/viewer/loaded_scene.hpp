@@ -1,4 +1,5 @@
-// A scene file as the window needs it: its last picture, its errors and warnings, and the files it was read from.
+// Which scenes a window shows: the given file, or those of a folder, by the keys 1-9 and Shift+1-9; and such a scene:
+// its last picture, its errors and warnings, and the files it was read from.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +10,16 @@
 #include "viewer/file_stamp.hpp"
 
 namespace penumbra {
+
+// s0Na.cli of the folder, or s0Nb.cli for the twin; 1 <= number <= 9.
+std::filesystem::path scene_of_key(const std::filesystem::path& folder, int number, bool twin);
+
+// The scene to begin with: `given` itself; if that is a folder, the first of its s01a.cli, s01b.cli, ..., or else its
+// first .cli file by name. Empty if it has none.
+std::filesystem::path first_scene(const std::filesystem::path& given);
+
+// The folder whose scenes the keys load.
+std::filesystem::path folder_of(const std::filesystem::path& given);
 
 struct LoadedScene {
   std::filesystem::path path;

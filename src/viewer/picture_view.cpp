@@ -5,14 +5,10 @@
 #include <iterator>
 
 namespace penumbra {
-namespace {
-
 // Whole numbers and their inverses, so that every pixel is a square of the same size.
 constexpr double zooms[] = {1.0 / 16, 1.0 / 12, 1.0 / 8, 1.0 / 6, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1,  2, 3,
                             4,        6,        8,       12,      16,      24,      32,      48, 64};
 constexpr double largest_fit = 4;
-
-}  // namespace
 
 void PictureView::set_area(const WindowArea& area) {
   area_ = area;

@@ -1,5 +1,8 @@
 #include "viewer/projection.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "base/vec.hpp"
 
 namespace penumbra {
@@ -47,6 +50,24 @@ std::optional<std::pair<PlaceInPicture, PlaceInPicture>> project_line(const Fram
   if (a.t < nearest) a = between(a, b, (nearest - a.t) / (b.t - a.t));
   if (b.t < nearest) b = between(b, a, (nearest - b.t) / (a.t - b.t));
   return {{{a.tx / a.t, a.ty / a.t}, {b.tx / b.t, b.ty / b.t}}};
+}
+
+std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y) {
+  const FrameCamera& camera = frame.camera;
+  ProbeRay ray{};
+  ray.time = camera.shutter_open;
+  ray.farthest = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < 3; i++) {
+    ray.origin[i] = camera.eye[i];
+    ray.direction[i] = static_cast<float>(x * camera.per_x[i] + y * camera.per_y[i] + camera.corner[i]);
+  }
+  ProbeHit hit{};
+  kernel.intersect(frame.world, {&ray, 1}, {&hit, 1});
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  double distance = 0;
+  for (int i = 0; i < 3; i++) distance += (double{hit.point[i]} - camera.eye[i]) * camera.view[i];
+  if (!(distance > 0)) return std::nullopt;
+  return distance;
 }
 
 }  // namespace penumbra

@@ -1,10 +1,11 @@
-// Projects points of the world into the picture.
+// From the world to the picture and back: where points are seen, and how far away a pixel is.
 #pragma once
 
 #include <optional>
 #include <utility>
 
 #include "tracing/frame.hpp"
+#include "tracing/kernel.hpp"
 
 namespace penumbra {
 
@@ -15,5 +16,9 @@ struct PlaceInPicture {
 // The ends of the part of a line that lies in front of the eye, as a pinhole sees them; nothing if all of it is behind.
 std::optional<std::pair<PlaceInPicture, PlaceInPicture>> project_line(const FrameCamera& camera, const float (&from)[3],
                                                                       const float (&to)[3]);
+
+// The distance, along -w, of the first hit of the ray from the eye through the point (x, y) of the picture, in pixels,
+// at the time when the shutter opens; nothing if it hits nothing.
+std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y);
 
 }  // namespace penumbra

@@ -4,11 +4,9 @@
 // behind.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <mutex>
 
-#include "rendering/render.hpp"
 #include "viewer/growing_picture.hpp"
 #include "viewer/refiner.hpp"
 

@@ -5,12 +5,8 @@
 #include "viewer/refine_worker.hpp"
 
 namespace penumbra {
-namespace {
-
 // How long a new task waits for the old one to stop.
 constexpr std::chrono::milliseconds patience(40);
-
-}  // namespace
 
 Refiner::Refiner(const Kernel& kernel, int threads, std::function<void()> notify)
     : kernel_(kernel), threads_(threads), notify_(std::move(notify)) {

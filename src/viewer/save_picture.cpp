@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "image/image_file.hpp"
 #include "picture/develop.hpp"
-#include "picture/metadata.hpp"
+#include "picture/option_table.hpp"
 
 namespace penumbra {
 namespace {
@@ -19,10 +21,8 @@ std::vector<std::filesystem::path> names_for(const Refinement& picture, const st
 
 bool any_exists(const std::vector<std::filesystem::path>& files) {
   std::error_code ignored;
-  for (const std::filesystem::path& file : files) {
-    if (std::filesystem::exists(file, ignored)) return true;
-  }
-  return false;
+  return std::any_of(files.begin(), files.end(),
+                     [&](const auto& file) { return std::filesystem::exists(file, ignored); });
 }
 
 }  // namespace

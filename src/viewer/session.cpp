@@ -6,21 +6,16 @@
 #include <iterator>
 
 #include "base/atomic_file.hpp"
-#include "picture/development.hpp"
+#include "picture/develop.hpp"
 #include "picture/scene_lines.hpp"
-#include "viewer/focus.hpp"
+#include "viewer/projection.hpp"
 #include "viewer/save_picture.hpp"
-#include "viewer/scene_folder.hpp"
 
 namespace penumbra {
-namespace {
-
 constexpr std::chrono::milliseconds look_interval(25);
 // A file that never stops changing is read after this time anyway.
 constexpr std::chrono::milliseconds longest_freshness(100);
 constexpr std::chrono::seconds message_duration(4);
-
-}  // namespace
 
 Session::Session(const SessionOptions& options, std::function<void()> notify)
     : folder_(folder_of(options.given)),
@@ -36,11 +31,15 @@ Session::Session(const SessionOptions& options, std::function<void()> notify)
 
 void Session::open(const std::filesystem::path& scene) {
   path_ = scene;
+  start_from_command_line();
+  show(true);
+}
+
+void Session::start_from_command_line() {
   sides_.assign(2, command_line_);
   limit_ = static_cast<std::uint32_t>(command_line_.rays.value_or(0));
   for (PictureOptions& side : sides_) side.rays.reset();
   if (split_) set_split(true);
-  show(true);
 }
 
 void Session::show(bool read_again) {
@@ -135,37 +134,30 @@ void Session::execute(const ViewCommand& command, PlaceInWindow cursor) {
     case ViewCommandKind::copy:
       break;
     case ViewCommandKind::step_sample:
-      step_sample(command.number);
-      break;
+      return step_sample(command.number);
     case ViewCommandKind::load_scene:
-      open(scene_of_key(folder_, command.number, command.twin));
-      break;
+      return open(scene_of_key(folder_, command.number, command.twin));
     case ViewCommandKind::help:
       help_ = !help_;
       break;
     case ViewCommandKind::pause:
       paused_ = !paused_;
-      refiner_.pause(paused_);
-      break;
+      return refiner_.pause(paused_);
     case ViewCommandKind::restart:
-      show(true);
-      break;
+      return show(true);
     case ViewCommandKind::save:
-      save();
-      break;
+      return save();
     case ViewCommandKind::focus:
-      focus(cursor);
-      break;
+      return focus(cursor);
     case ViewCommandKind::split:
       set_split(!split_);
-      show(false);
-      break;
+      return show(false);
     case ViewCommandKind::brighter:
-      exposure_halves_ = std::min(exposure_halves_ + 1, most_exposure_halves);
+    case ViewCommandKind::darker: {
+      const int halves = exposure_halves_ + (command.kind == ViewCommandKind::brighter ? 1 : -1);
+      exposure_halves_ = std::clamp(halves, -most_exposure_halves, most_exposure_halves);
       break;
-    case ViewCommandKind::darker:
-      exposure_halves_ = std::max(exposure_halves_ - 1, -most_exposure_halves);
-      break;
+    }
     case ViewCommandKind::next_sampler:
       if (loaded_) {
         const int side = side_count() - 1;
@@ -174,14 +166,10 @@ void Session::execute(const ViewCommand& command, PlaceInWindow cursor) {
       }
       break;
     case ViewCommandKind::toggle_effect:
-      change_side(side_count() - 1, [&](PictureOptions& o) { o.without.toggle(command.effect); });
-      break;
+      return change_side(side_count() - 1, [&](PictureOptions& o) { o.without.toggle(command.effect); });
     case ViewCommandKind::more_rays:
-      change_rays(true);
-      break;
     case ViewCommandKind::fewer_rays:
-      change_rays(false);
-      break;
+      return change_rays(command.kind == ViewCommandKind::more_rays);
     case ViewCommandKind::quit:
       quit_ = true;
       break;
@@ -283,12 +271,7 @@ void Session::change_side(int side, const std::function<void(PictureOptions&)>& 
 }
 
 void Session::forget_changes() {
-  const bool split = split_;
-  split_ = false;
-  sides_.assign(2, command_line_);
-  for (PictureOptions& side : sides_) side.rays.reset();
-  limit_ = static_cast<std::uint32_t>(command_line_.rays.value_or(0));
-  if (split) set_split(true);
+  start_from_command_line();
   show(false);
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/command.hpp"
+#include "viewer/input_map.hpp"
 #include "viewer/inspection.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/refiner.hpp"
@@ -80,6 +80,7 @@ class Session {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start_from_command_line();
   void show(bool read_again);
   void save();
   void focus(PlaceInWindow cursor);

@@ -1,11 +1,11 @@
 // The text of the scripts, and the quoting of words in them.
-#include "farm/scripts.hpp"
+#include "base/shell_words.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/test_folder.hpp"
-#include "farm/shell_words.hpp"
+#include "farm/job.hpp"
 
 namespace penumbra::test {
 namespace {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "farm/child_process.hpp"
-#include "farm/slurm_time.hpp"
 
 namespace penumbra::test {
 namespace {

@@ -1,9 +1,9 @@
 // The cells are equal, cover the square, and are counted correctly.
-#include "sampling/figures/cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include "figures/plane_points.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra::test {
 namespace {

@@ -1,5 +1,4 @@
 // Areas below an edge against line-by-line integrals, and the slopes that theory gives for random and jittered points.
-#include "sampling/figures/convergence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,7 @@
 
 #include "base/test_scale.hpp"
 #include "figures/plane_points.hpp"
-#include "sampling/figures/cells.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra::test {
 namespace {

@@ -1,5 +1,4 @@
 // Star discrepancies against known values and against all boxes tried in turn.
-#include "sampling/figures/discrepancy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "base/test_scale.hpp"
 #include "figures/plane_points.hpp"
+#include "sampling/figures/figures.hpp"
 #include "sampling/statistics.hpp"
 
 namespace penumbra::test {

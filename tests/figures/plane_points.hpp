@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "sampling/figures/plane_point.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra::test {
 

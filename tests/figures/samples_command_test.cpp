@@ -9,8 +9,7 @@
 #include "base/command_line.hpp"
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
-#include "sampling/figures/cells.hpp"
-#include "sampling/figures/discrepancy.hpp"
+#include "sampling/figures/figures.hpp"
 #include "sampling/points.hpp"
 
 namespace penumbra::test {

@@ -1,5 +1,4 @@
 // Distances and empty circles on the torus against known lattices and against all pairs and triples.
-#include "sampling/figures/spacing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "base/test_scale.hpp"
 #include "figures/plane_points.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra::test {
 namespace {

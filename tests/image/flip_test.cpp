@@ -1,13 +1,13 @@
 // FLIP: the properties the paper states, and numbers from a second implementation of its equations that was written
 // independently (two-dimensional kernels in double precision, scipy.ndimage.correlate). The tolerance is for float
 // filters under the square root of the feature term.
-#include "image/flip.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "image/metrics.hpp"
 #include "image/test_pictures.hpp"
 
 namespace penumbra {

@@ -1,11 +1,10 @@
 // The heat map: black for no difference, brightest for the scale, and always lighter for more.
-#include "image/heatmap.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "image/metrics.hpp"
+#include "image/comparison.hpp"
 
 namespace penumbra {
 namespace {

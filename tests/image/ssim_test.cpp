@@ -1,11 +1,11 @@
 // SSIM against closed forms, and against scikit-image 0.19: structural_similarity(a, b, gaussian_weights=True,
 // sigma=1.5, use_sample_covariance=False, data_range=1) on the luma of the same pictures.
-#include "image/ssim.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "image/metrics.hpp"
 #include "image/test_pictures.hpp"
 
 namespace penumbra {

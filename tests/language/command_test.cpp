@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "language/reference_page.hpp"
+#include "picture/reference_pages.hpp"
 #include "support.hpp"
 
 namespace penumbra {
@@ -101,9 +101,9 @@ TEST(CommandTable, holdsTheWholeLanguage) {
 TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
   for (const Command& command : all_commands()) {
     for (const int change : {-1, 1}) {
-      const Form& form = command.forms.form[static_cast<std::size_t>(command.forms.count - 1)];
+      const Form& form = command.forms.back();
       const int count = form.count() + change;
-      const bool is_optional = command.forms.count > 1 && command.forms.form[0].count() == count;
+      const bool is_optional = command.forms.size() > 1 && command.forms.front().count() == count;
       if (count < 0 || is_optional) continue;
       std::string text(command.name);
       for (int i = 0; i < count; i++) text += " 1";
@@ -119,7 +119,7 @@ TEST(CommandTable, checksTheNumberOfArgumentsOfEveryCommand) {
 // Every numeric argument of every command in every form must be a number.
 TEST(CommandTable, checksTheKindOfEveryArgument) {
   for (const Command& command : all_commands()) {
-    for (const Form& form : command.forms.all()) {
+    for (const Form& form : command.forms) {
       for (int bad = 0; bad < form.count(); bad++) {
         const Argument& argument = form.argument[static_cast<std::size_t>(bad)];
         if (!argument.is_number()) continue;

@@ -1,4 +1,4 @@
-#include "base/diagnostics.hpp"
+#include "language/diagnostic_list.hpp"
 
 #include "support.hpp"
 

@@ -1,17 +1,16 @@
 // Properties of every row of the table of options, so that a new option cannot be forgotten anywhere.
 #include "picture/option_table.hpp"
+#include "app/options/shared_options.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "app/options/picture_options.hpp"
 #include "app/options/render_options.hpp"
 #include "base/command_line.hpp"
 #include "base/test_folder.hpp"
-#include "picture/metadata.hpp"
-#include "picture/option_page.hpp"
+#include "picture/reference_pages.hpp"
 #include "picture/scene_lines.hpp"
 #include "rendering/render_text.hpp"
 

@@ -1,5 +1,6 @@
 // The options that make what the window shows repeatable on the command line of `penumbra render`.
 #include "picture/picture_options.hpp"
+#include "picture/option_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,6 @@
 #include "base/test_folder.hpp"
 #include "image/image_file.hpp"
 #include "picture/develop.hpp"
-#include "picture/metadata.hpp"
 
 namespace penumbra {
 namespace {

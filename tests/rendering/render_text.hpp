@@ -9,7 +9,7 @@
 
 #include "language/scene_file.hpp"
 #include "rendering/isa.hpp"
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace penumbra::test {
 

@@ -1,12 +1,12 @@
 // `poisson` is a true, maximal Poisson disk pattern at every count: no two points are nearer than the table's distance,
 // and no place is farther than it from all points. Checked exactly, on tables and on what packets draw from them; the
 // checks notice sets that are not maximal.
-#include "sampling/poisson_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/test_scale.hpp"
 #include "sampling/points.hpp"
+#include "sampling/sample_tables.hpp"
 #include "sampling/strata_checks.hpp"
 #include "sampling/torus.hpp"
 

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "rendering/isa.hpp"
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace penumbra::test {
 

@@ -1,8 +1,7 @@
-#include "viewer/focus.hpp"
-
 #include <gtest/gtest.h>
 
 #include "rendering/render_text.hpp"
+#include "viewer/projection.hpp"
 
 namespace penumbra {
 namespace {

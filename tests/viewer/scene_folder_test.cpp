@@ -1,4 +1,4 @@
-#include "viewer/scene_folder.hpp"
+#include "viewer/loaded_scene.hpp"
 
 #include <gtest/gtest.h>
 

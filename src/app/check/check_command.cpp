@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "app/check/lens_table.hpp"
-#include "app/options/picture_options.hpp"
+#include "app/options/shared_options.hpp"
 
 namespace penumbra {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
-#include "image/heatmap.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
 

@@ -1,5 +1,3 @@
-#include "app/farm/farm_collect.hpp"
-
 #include <fmt/format.h>
 #include <sysexits.h>
 
@@ -7,7 +5,8 @@
 #include <cstdio>
 #include <map>
 
-#include "app/merge/part_files.hpp"
+#include "app/farm/farm_command.hpp"
+#include "app/merge/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
 #include "base/version.hpp"
@@ -19,8 +18,6 @@ namespace penumbra {
 namespace {
 
 namespace fs = std::filesystem;
-
-void report(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
 
 class Collection {
  public:
@@ -44,7 +41,7 @@ class Collection {
     }
     if (options.resubmit) return resubmit(tasks, *options.resubmit);
     if (options.render) return render(tasks);
-    fmt::print(stderr, "penumbra: --resubmit submits them again, --render renders them here\n");
+    complain("--resubmit submits them again, --render renders them here");
     return EX_DATAERR;
   }
 
@@ -97,7 +94,7 @@ class Collection {
     }
     const PartFiles files = read_parts(names);
     const auto set_aside = [&](const std::string& name, const std::string& why) {
-      report(why);
+      complain(why);
       missing_.insert(units[name]);
       damaged_.push_back(name);
       whole = false;
@@ -109,7 +106,7 @@ class Collection {
     }
     if (!whole) return false;
     if (const auto problems = problems_of(files.parts); !problems.empty()) {
-      for (const std::string& sentence : problems) report(sentence);
+      for (const std::string& sentence : problems) complain(sentence);
       throw FileError(EX_DATAERR, "remove the parts that do not belong to this job, and collect again");
     }
     write_merged(files.parts, outputs, false);
@@ -130,8 +127,8 @@ class Collection {
   }
 
   void tell_missing() const {
-    report(fmt::format("of {} parts, numbered from 0, {} missing: {}", job_.units(),
-                       missing_.size() == 1 ? "one is" : fmt::format("{} are", missing_.size()), ranges(missing_)));
+    complain(fmt::format("of {} parts, numbered from 0, {} missing: {}", job_.units(),
+                         missing_.size() == 1 ? "one is" : fmt::format("{} are", missing_.size()), ranges(missing_)));
   }
 
   // The tasks of missing units that Slurm no longer has; all of them if Slurm does not answer.
@@ -147,7 +144,7 @@ class Collection {
   // Slurm still has the tasks of all missing units.
   int wait(const FarmCollectOptions& options) const {
     if (!options.resubmit) {
-      report("Slurm still has their tasks; the merge that waits for them writes the picture");
+      complain("Slurm still has their tasks; the merge that waits for them writes the picture");
       return EX_TEMPFAIL;
     }
     fmt::print("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids)));
@@ -166,11 +163,11 @@ class Collection {
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {
-      report(fmt::format("the scene file `{}` no longer exists", job_.scene));
+      complain(fmt::format("the scene file `{}` no longer exists", job_.scene));
       return EX_NOINPUT;
     }
     if (to_hex(file.hash) == job_.scene_hash) return 0;
-    report(
+    complain(
         fmt::format("`{}`, or a file that it reads, has changed since the job was submitted: restore it, or "
                     "remove the job folder and submit again",
                     job_.scene));
@@ -185,7 +182,7 @@ class Collection {
   int resubmit(const std::set<int>& tasks, int most) {
     if (!queue_) throw SlurmError(silence_);
     if (state_.resubmissions >= most) {
-      report(
+      complain(
           fmt::format("they were resubmitted {} times: see the logs in `{}`; `penumbra farm collect` with "
                       "--resubmit or --render finishes the job",
                       state_.resubmissions, (folder_.path() / "logs").string()));

@@ -10,16 +10,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "app/farm/farm_collect.hpp"
-#include "app/farm/farm_submit.hpp"
 #include "app/merge/part_file.hpp"
-#include "app/options/picture_options.hpp"
+#include "app/options/shared_options.hpp"
 #include "base/atomic_file.hpp"
-#include "farm/scripts.hpp"
 #include "farm/slurm.hpp"
-#include "farm/slurm_time.hpp"
 #include "farm/status.hpp"
-#include "farm/survey.hpp"
 #include "picture/option_text.hpp"
 
 namespace penumbra {
@@ -101,19 +96,16 @@ Subcommand submit_subcommand(FarmSubmitOptions& options) {
   return submit;
 }
 
-// Wraps `run` so that failures of Slurm and of files become messages and exit codes. The exit codes: 0; 64; 65 if the
-// scene or a part is wrong or parts are missing; 66 if there is no such scene or job; 69 if Slurm does not answer; 73,
-// 74; 75 if tasks are still running.
+// Wraps `run` so that failures of Slurm become messages. The exit codes: 0; 64; 65 if the scene or a part is wrong or
+// parts are missing; 66 if there is no such scene or job; 69 if Slurm does not answer; 73, 74; 75 if tasks are still
+// running.
 template <class Run>
 std::function<int()> guarded(Run run) {
   return [run] {
     try {
       return run();
-    } catch (const FileError& error) {
-      fmt::print(stderr, "penumbra: {}\n", error.what());
-      return error.exit_code;
     } catch (const SlurmError& error) {
-      fmt::print(stderr, "penumbra: Slurm failed: {}\n", error.what());
+      complain(fmt::format("Slurm failed: {}", error.what()));
       return EX_UNAVAILABLE;
     }
   };

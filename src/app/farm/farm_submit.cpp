@@ -1,24 +1,19 @@
-#include "app/farm/farm_submit.hpp"
-
 #include <fmt/format.h>
 #include <sysexits.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <numeric>
 
+#include "app/farm/farm_command.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/scene_frames.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/shell_words.hpp"
 #include "base/version.hpp"
-#include "farm/job.hpp"
-#include "farm/shell_words.hpp"
 #include "farm/slurm.hpp"
-#include "farm/survey.hpp"
 #include "language/scene_file.hpp"
 #include "rendering/tile_grid.hpp"
 
@@ -135,11 +130,6 @@ Job job_for(const FarmSubmitOptions& options, const Frames& frames, const JobFol
   return job;
 }
 
-void tell_commands(const JobFolder& folder, const std::vector<std::string>& shards) {
-  fmt::print("nothing was submitted; these commands would do it:\n  {}\n  {}\n", shell_words(shards),
-             shell_words(merge_command_after(folder, {"ID"})));
-}
-
 }  // namespace
 
 int farm_submit(const FarmSubmitOptions& options) {
@@ -158,7 +148,8 @@ int farm_submit(const FarmSubmitOptions& options) {
   for (int task = 0; task < job.tasks(); task++) tasks.insert(task);
   const std::vector<std::string> command = shards_command(folder, tasks);
   if (options.dry_run) {
-    tell_commands(folder, command);
+    fmt::print("nothing was submitted; these commands would do it:\n  {}\n  {}\n", shell_words(command),
+               shell_words(merge_command_after(folder, {"ID"})));
     return 0;
   }
   const std::string id = submit(command);

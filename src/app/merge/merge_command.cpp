@@ -3,27 +3,24 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
-#include <cstdio>
-
-#include "app/merge/part_files.hpp"
-#include "base/atomic_file.hpp"
+#include "app/merge/part_file.hpp"
 #include "image/image_file.hpp"
 
 namespace penumbra {
 namespace {
 
-void report(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
-
+// Returns the exit code: 0, or 65 or 66 if a part is missing, damaged, duplicated or of another picture. Nothing is
+// written unless it is 0. Throws FileError.
 int merge_parts(const MergeOptions& options) {
   const PartFiles files = read_parts(options.parts);
   int exit_code = 0;
   for (const PartFiles::Failure& failure : files.failures) {
-    report(failure.error.what());
+    complain(failure.error.what());
     exit_code = exit_code == EX_DATAERR ? EX_DATAERR : failure.error.exit_code;
   }
   if (!files.parts.empty()) {
     for (const std::string& sentence : problems_of(files.parts)) {
-      report(sentence);
+      complain(sentence);
       exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
     }
   }
@@ -47,17 +44,8 @@ Subcommand merge_subcommand(MergeOptions& options) {
     }
     return std::string();
   };
-  merge.run = [&options] { return merge_command(options); };
+  merge.run = [&options] { return merge_parts(options); };
   return merge;
-}
-
-int merge_command(const MergeOptions& options) {
-  try {
-    return merge_parts(options);
-  } catch (const FileError& error) {
-    report(error.what());
-    return error.exit_code;
-  }
 }
 
 }  // namespace penumbra

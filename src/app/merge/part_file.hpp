@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.hpp"
 #include "rendering/shard_part.hpp"
 
 namespace penumbra {
@@ -20,5 +21,22 @@ std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const 
 
 // Whether the file ends as a part does: a cheap check of a few bytes.
 bool ends_as_part_file(const std::filesystem::path& path);
+
+// The parts of a picture from their files.
+struct PartFiles {
+  struct Failure {
+    std::string name;
+    FileError error;
+  };
+
+  std::vector<std::vector<std::byte>> bytes;  // the parts point into them
+  std::vector<Part> parts;                    // the intact ones
+  std::vector<Failure> failures;              // the others
+};
+
+PartFiles read_parts(const std::vector<std::string>& names);
+
+// Merges parts without problems_of() and writes their picture. Throws FileError.
+void write_merged(const std::vector<Part>& parts, const std::vector<std::string>& outputs, bool quiet);
 
 }  // namespace penumbra

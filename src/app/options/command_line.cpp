@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "language/near_word.hpp"
 #include "picture/option_text.hpp"
@@ -97,50 +98,30 @@ int run_chosen(const CLI::App& app, const Subcommand& command) {
 
 }  // namespace
 
-TakeText into(std::string& text) {
-  return [&text](std::string_view given) {
-    text = given;
-    return std::string();
-  };
-}
+void complain(std::string_view sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
 
-TakeText into(std::vector<std::string>& texts) {
-  return [&texts](std::string_view given) {
-    texts.emplace_back(given);
-    return std::string();
-  };
-}
-
-TakeText into(int& number, int low, int high) {
-  return [&number, low, high](std::string_view given) {
-    std::int64_t found = number;
-    std::string wrong = parse_whole(given, low, high, found);
-    number = static_cast<int>(found);
-    return wrong;
-  };
-}
-
-TakeText into(bool& flag) {
-  return [&flag](std::string_view) {
-    flag = true;
-    return std::string();
-  };
-}
-
-int run_command_line(const Subcommand& program, int argc, const char* const* argv) {
+int run_command_line(const Subcommand& program, int argc, const char* const* argv) try {
   CLI::App app(program.help, program.name);
   app.set_version_flag("--version", std::string("penumbra ") + version, "Print the version and exit");
   describe(app, program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (const std::string sentence = about_unknown_command(app); !sentence.empty()) {
-      fmt::print(stderr, "penumbra: {}\n", sentence);
-      return EX_USAGE;
-    }
-    return app.exit(e) == 0 ? EX_OK : EX_USAGE;
+    const std::string sentence = about_unknown_command(app);
+    if (sentence.empty()) return app.exit(e) == 0 ? EX_OK : EX_USAGE;
+    complain(sentence);
+    return EX_USAGE;
   }
   return run_chosen(app, program);
+} catch (const FileError& e) {
+  complain(e.what());
+  return e.exit_code;
+} catch (const std::bad_alloc&) {
+  complain("not enough memory");
+  return EX_SOFTWARE;
+} catch (const std::exception& e) {
+  complain(e.what());
+  return EX_SOFTWARE;
 }
 
 std::string read_words(const Subcommand& command, const std::vector<std::string>& words) {

@@ -5,7 +5,10 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "picture/option_text.hpp"
 
 namespace penumbra {
 
@@ -45,14 +48,31 @@ struct Subcommand {
   std::function<int(const std::vector<std::string>&)> hand_over;
 };
 
-// Store a text as it is, append it, store a whole number from `low` to `high`, set a flag.
-TakeText into(std::string& text);
-TakeText into(std::vector<std::string>& texts);
-TakeText into(int& number, int low, int high);
-TakeText into(bool& flag);
+// Stores a text as it is, appends it to a list of texts, or sets a flag.
+template <class Place>
+TakeText into(Place& place) {
+  return [&place](std::string_view text) {
+    if constexpr (std::is_same_v<Place, bool>) {
+      place = true;
+    } else if constexpr (std::is_same_v<Place, std::vector<std::string>>) {
+      place.emplace_back(text);
+    } else {
+      place = text;
+    }
+    return std::string();
+  };
+}
+// Stores a whole number from `low` to `high`.
+inline TakeText into(int& number, int low, int high) {
+  return [&number, low, high](std::string_view text) { return parse_whole(text, low, high, number); };
+}
 
-// Parses the command line and runs the subcommand that it names. Returns its exit code, 0 after help, or EX_USAGE. The
-// help calls the program by its `name`.
+// Prints "penumbra: sentence" to standard error.
+void complain(std::string_view sentence);
+
+// Parses the command line and runs the subcommand that it names. Returns its exit code, 0 after help, EX_USAGE, or
+// after an exception, which becomes a message, the exit code of a FileError or EX_SOFTWARE. The help calls the program
+// by its `name`.
 int run_command_line(const Subcommand& program, int argc, const char* const* argv);
 
 // Parses the words that follow a subcommand's name without running it. Returns what is wrong with them; empty if

@@ -6,9 +6,9 @@
 #include <array>
 #include <filesystem>
 
-#include "app/options/picture_options.hpp"
+#include "app/options/shared_options.hpp"
 #include "app/render/render_command.hpp"
-#include "base/number_list.hpp"
+#include "base/parse.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
 #include "rendering/adaptive.hpp"
@@ -19,9 +19,9 @@ namespace {
 constexpr std::array<std::string_view, 5> progress_styles = {"auto", "bar", "plain", "json", "none"};
 
 std::string take_progress(RenderOptions& options, std::string_view text) {
-  const auto found = std::find(progress_styles.begin(), progress_styles.end(), text);
-  if (found == progress_styles.end()) return expected(text, "auto, bar, plain, json or none");
-  options.progress = static_cast<ProgressStyle>(found - progress_styles.begin());
+  const auto found = value_named<ProgressStyle>(text, progress_styles);
+  if (!found) return expected(text, "auto, bar, plain, json or none");
+  options.progress = *found;
   return {};
 }
 
@@ -36,6 +36,38 @@ std::string take_debug_pixel(RenderOptions& options, std::string_view text) {
 
 std::string take_frames_per_second(RenderOptions& options, std::string_view text) {
   return parse_number(text, 0.1, 1000, "a number from 0.1 to 1000", options.frames_per_second);
+}
+
+TakeText into_seconds(std::optional<double>& seconds) {
+  return [&seconds](std::string_view text) {
+    const std::optional<double> found = seconds_from(text, 1);
+    if (!found || *found > longest_duration) return expected(text, "a time such as 30s, 5m or 2h");
+    seconds = *found;
+    return std::string();
+  };
+}
+
+std::string take_shard(std::optional<Shard>& result, std::string_view text) {
+  const std::vector<int> n = whole_numbers(text, '/');
+  if (n.size() != 2 || n[0] < 0 || n[0] >= n[1] || n[1] > most_shards) {
+    return expected(text, fmt::format("i/n with 0 <= i < n <= {}", most_shards));
+  }
+  result = Shard{n[0], n[1]};
+  return {};
+}
+
+std::vector<CommandOption> session_options(RenderSessionOptions& options) {
+  return {
+      {"--checkpoint", "FILE", "Save the progress of the render here at regular times [no]", into(options.checkpoint)},
+      {"--every", "TIME", "Time between two checkpoints: 30s, 5m, 2h [30s]", into_seconds(options.every)},
+      {"--resume", "", "Resume from the checkpoint, if there is one; skip frames that are finished [off]",
+       into(options.resume)},
+      {"--time-limit", "TIME", "After this time, write picture and checkpoint as they stand, exit code 75 [none]",
+       into_seconds(options.time_limit)},
+      {"--shard", "i/n", "Render tiles i of n, i from 0, to -o PART.exr, for `penumbra merge` [all]",
+       [&options](std::string_view text) { return take_shard(options.shard, text); }},
+      {"--scene-hash", "HASH", "Refuse to render unless the scene, with the files it reads, has this hash [any]",
+       into(options.scene_hash)}};
 }
 
 std::string check_frames(const RenderOptions& options) {
@@ -115,7 +147,7 @@ Subcommand render_subcommand(RenderOptions& options) {
   add({{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
        {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated", into(options.outputs),
         Times::repeated}});
-  add(render_picture_options(options));
+  add(picture_options(options, false));
   add({{"--debug-pixel", "x,y,sample",
         "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",
         [&options](std::string_view text) { return take_debug_pixel(options, text); }}});

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "language/scene_file.hpp"
-#include "picture/animation.hpp"
+#include "picture/picture_options.hpp"
 
 namespace penumbra {
 

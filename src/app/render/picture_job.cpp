@@ -2,7 +2,7 @@
 
 #include "app/render/picture_files.hpp"
 #include "base/version.hpp"
-#include "picture/metadata.hpp"
+#include "picture/option_table.hpp"
 #include "rendering/adaptive.hpp"
 #include "rendering/uniform_render.hpp"
 

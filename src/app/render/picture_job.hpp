@@ -5,7 +5,7 @@
 
 #include "app/options/render_options.hpp"
 #include "language/scene_file.hpp"
-#include "picture/development.hpp"
+#include "picture/develop.hpp"
 #include "rendering/picture_key.hpp"
 #include "rendering/resumable_render.hpp"
 

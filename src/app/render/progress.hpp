@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/options/render_options.hpp"
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace penumbra {
 

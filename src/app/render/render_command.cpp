@@ -18,7 +18,7 @@
 #include "app/sessions/render_session.hpp"
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
-#include "picture/ray_tree_text.hpp"
+#include "rendering/ray_tree.hpp"
 
 namespace penumbra {
 namespace {

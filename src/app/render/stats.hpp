@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "rendering/render.hpp"
+#include "rendering/uniform_render.hpp"
 
 namespace penumbra {
 

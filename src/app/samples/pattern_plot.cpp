@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "image/canvas.hpp"
-#include "sampling/figures/cells.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra {
 namespace {

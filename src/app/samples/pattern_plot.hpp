@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "sampling/figures/plane_point.hpp"
-#include "sampling/figures/spacing.hpp"
+#include "sampling/figures/figures.hpp"
 #include "sampling/figures/spectrum.hpp"
 
 namespace penumbra {

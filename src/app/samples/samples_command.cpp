@@ -8,20 +8,19 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 
-#include "app/options/machine_options.hpp"
+#include "app/options/shared_options.hpp"
 #include "app/samples/pattern_plot.hpp"
-#include "app/samples/pattern_points.hpp"
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
-#include "base/number_list.hpp"
+#include "base/parse.hpp"
 #include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
-#include "sampling/figures/cells.hpp"
-#include "sampling/figures/convergence.hpp"
-#include "sampling/figures/discrepancy.hpp"
+#include "sampling/figures/figures.hpp"
+#include "tracing/kernel.hpp"
 
 namespace penumbra {
 namespace {
@@ -32,6 +31,48 @@ constexpr std::size_t most_for_star_discrepancy = 1 << 14;  // beyond, O(n^2) ta
 constexpr int replicates = 1024;                            // for the slopes
 constexpr int most_realizations = 64;                       // for the spectrum
 constexpr double spectrum_work = 2.2e9;                     // points times frequencies, about a second
+
+// Two dimensions of a sample: one of the eye ray's and the next, or a later pair, which is named by a hash (see
+// Sampler::pair); one such pair represents all.
+struct DimensionPair {
+  std::string_view name;
+  std::uint32_t first;
+};
+
+inline constexpr DimensionPair dimension_pairs[] = {
+    {"pixel", pixel_x}, {"lens", lens_radius}, {"light", first_light_radius}, {"gloss", 0x2c1b3c6du}};
+
+class PatternPoints {
+ public:
+  PatternPoints(const Kernel& kernel, Pattern pattern, const DimensionPair& dimensions)
+      : kernel_(kernel), pattern_(pattern), dimensions_(dimensions) {}
+
+  // The points of one pixel that has `count` samples.
+  std::vector<PlanePoint> points(std::size_t count, std::uint32_t seed, int x, int y) {
+    std::vector<float> u(count), v(count);
+    kernel_.sample_points(frame_for(count, seed), x, y, dimensions_.first, u, v);
+    std::vector<PlanePoint> result(count);
+    for (std::size_t i = 0; i < count; i++) result[i] = {u[i], v[i]};
+    return result;
+  }
+
+ private:
+  // The frame that a render with `count` rays per pixel would use, made once.
+  const Frame& frame_for(std::size_t count, std::uint32_t seed) {
+    const auto found = frames_.find({count, seed});
+    if (found != frames_.end()) return found->second;
+    Scene scene;
+    scene.settings.pattern = pattern_;
+    scene.settings.seed = seed;
+    scene.settings.rays_per_pixel = static_cast<int>(count);
+    return frames_.emplace(std::pair(count, seed), make_frame(scene, 1)).first->second;
+  }
+
+  const Kernel& kernel_;
+  Pattern pattern_;
+  DimensionPair dimensions_;
+  std::map<std::pair<std::size_t, std::uint32_t>, Frame> frames_;
+};
 
 struct Figures {
   double l2_star_discrepancy = 0;
@@ -182,13 +223,6 @@ std::string set_pixel(SamplesOptions& options, std::string_view text) {
   return {};
 }
 
-std::string set_seed(SamplesOptions& options, std::string_view text) {
-  std::int64_t seed = 0;
-  std::string wrong = parse_whole(text, 0, 0xffffffff, seed);
-  options.seed = static_cast<std::uint32_t>(seed);
-  return wrong;
-}
-
 std::string set_dimensions(SamplesOptions& options, std::string_view name) {
   std::vector<std::string_view> names;
   for (const DimensionPair& pair : dimension_pairs) names.push_back(pair.name);
@@ -196,13 +230,6 @@ std::string set_dimensions(SamplesOptions& options, std::string_view name) {
     return fmt::format("there are no dimensions `{}`; there are {}", name, fmt::join(names, ", "));
   }
   options.dimensions = name;
-  return {};
-}
-
-std::string set_sampler(SamplesOptions& options, std::string_view name) {
-  const std::optional<Pattern> pattern = pattern_from_name(name);
-  if (!pattern) return unknown("pattern", name, fmt::format("{}", fmt::join(pattern_names, ", ")));
-  options.sampler = *pattern;
   return {};
 }
 
@@ -222,10 +249,13 @@ Subcommand samples_subcommand(SamplesOptions& options) {
   samples.options = {
       {"--sampler", "NAME",
        fmt::format("Sample pattern: {} [{}]", fmt::join(pattern_names, ", "), name_of(default_pattern)),
-       take(set_sampler)},
+       [&options](std::string_view name) {
+         return parse_name<Pattern>("pattern", name, pattern_names, options.sampler);
+       }},
       {"-n", "N", fmt::format("Samples per pixel, 1 to {} [64]", most_points), into(options.n, 1, most_points)},
       {"-o,--output", "FILE.png", "A plot of points, spectrum and radial spectrum [none]", take(set_output)},
-      {"--seed", "N", "Seed of the sample pattern [0]", take(set_seed)},
+      {"--seed", "N", "Seed of the sample pattern [0]",
+       [&options](std::string_view text) { return parse_whole(text, 0, 0xffffffff, options.seed); }},
       {"--pixel", "x,y", "The pixel, from the top left [0,0]", take(set_pixel)},
       {"--dimensions", "NAME", "Which two numbers of a sample: pixel, lens, light, gloss [pixel]",
        take(set_dimensions)},

@@ -148,11 +148,7 @@ std::future<void> RenderSession::begin_save(std::vector<std::byte> bytes, std::a
 }
 
 void RenderSession::save(std::span<const std::byte> bytes) {
-  if (keeps_previous_) {
-    write_file_keeping_previous(options_.checkpoint, bytes);
-  } else {
-    write_file_atomically(options_.checkpoint, bytes);
-  }
+  write_file_atomically(options_.checkpoint, bytes, keeps_previous_ ? OldFile::stays_as_previous : OldFile::goes);
   force_folder_of(options_.checkpoint);
   keeps_previous_ = true;
 }

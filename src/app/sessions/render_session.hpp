@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/options/session_options.hpp"
+#include "app/options/render_options.hpp"
 #include "app/sessions/interruption.hpp"
 #include "rendering/checkpoint.hpp"
 

@@ -3,15 +3,12 @@
 #include <sysexits.h>
 
 #include <cstdio>
-#include <exception>
-#include <new>
 
 #include "app/options/command_line.hpp"
-#include "app/options/machine_options.hpp"
-#include "app/options/picture_options.hpp"
-#include "base/number_list.hpp"
+#include "app/options/shared_options.hpp"
+#include "base/parse.hpp"
 #include "picture/option_text.hpp"
-#include "viewer/scene_folder.hpp"
+#include "viewer/loaded_scene.hpp"
 #include "viewer/window/run_window.hpp"
 
 namespace penumbra {
@@ -59,37 +56,22 @@ int open_window(ViewOptions& options) {
   return EX_OK;
 }
 
-int run(int argc, char** argv) {
+}  // namespace
+}  // namespace penumbra
+
+int main(int argc, char** argv) {
+  using namespace penumbra;
   ViewOptions options;
   Subcommand view{
       "penumbra view", "The window: watch, change and inspect a picture. H lists the keys.", {}, {}, {}, {}, {}, {}};
-  view.options = view_picture_options(options.session.picture);
+  view.options = picture_options(options.session.picture, true);
   view.options.insert(
       view.options.begin(),
       {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
   for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
   view.options.push_back({"--window", "WxH", "Initial size of the window in pixels, WxH [1280x760]",
                           [&options](std::string_view text) { return take_window_size(options.window, text); }});
-  view.options.push_back({"--report", "FILE", "",
-                          [&options](std::string_view file) {
-                            options.window.report = file;
-                            return std::string();
-                          },
-                          Times::once, false, true});
+  view.options.push_back({"--report", "FILE", "", into(options.window.report), Times::once, false, true});
   view.run = [&options] { return open_window(options); };
   return run_command_line(view, argc, argv);
-}
-
-}  // namespace
-}  // namespace penumbra
-
-int main(int argc, char** argv) {
-  try {
-    return penumbra::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "penumbra: not enough memory\n");
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "penumbra: {}\n", e.what());
-  }
-  return EX_SOFTWARE;
 }

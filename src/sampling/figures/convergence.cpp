@@ -1,4 +1,4 @@
-#include "sampling/figures/convergence.hpp"
+#include "sampling/figures/figures.hpp"
 
 #include <algorithm>
 #include <cmath>

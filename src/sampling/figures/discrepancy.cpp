@@ -1,4 +1,4 @@
-#include "sampling/figures/discrepancy.hpp"
+#include "sampling/figures/figures.hpp"
 
 #include <algorithm>
 #include <cmath>

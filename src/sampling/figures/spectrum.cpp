@@ -28,11 +28,6 @@ struct Waves {
     }
   }
 
-  void clear(std::size_t point) {
-    std::fill_n(cosines.begin() + static_cast<std::ptrdiff_t>(point * size), size, 0.0f);
-    std::fill_n(sines.begin() + static_cast<std::ptrdiff_t>(point * size), size, 0.0f);
-  }
-
   std::size_t size;
   std::vector<float> cosines, sines;
 };
@@ -70,19 +65,16 @@ void Spectrum::add(std::span<const PlanePoint> points) {
   Waves x(size), y(size);
   for (std::size_t first = 0; first < points.size(); first += block) {
     for (std::size_t i = 0; i < block; i++) {
-      if (first + i < points.size()) {
-        x.set(i, points[first + i].x);
-        y.set(i, points[first + i].y);
-      } else {
-        x.clear(i);
-        y.clear(i);
-      }
+      const bool exists = first + i < points.size();
+      if (exists) x.set(i, points[first + i].x);
+      if (exists) y.set(i, points[first + i].y);
     }
     for (std::size_t fy = 0; fy < size; fy++) {
       float cosine[block], sine[block];
       for (std::size_t i = 0; i < block; i++) {
-        cosine[i] = y.cosines[i * size + fy];
-        sine[i] = y.sines[i * size + fy];
+        const bool exists = first + i < points.size();
+        cosine[i] = exists ? y.cosines[i * size + fy] : 0.0f;
+        sine[i] = exists ? y.sines[i * size + fy] : 0.0f;
       }
       add_rows(&cc[fy * size], &cs[fy * size], x.cosines.data(), cosine, sine, size);
       add_rows(&sc[fy * size], &ss[fy * size], x.sines.data(), cosine, sine, size);

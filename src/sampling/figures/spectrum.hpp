@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "sampling/figures/plane_point.hpp"
+#include "sampling/figures/figures.hpp"
 
 namespace penumbra {
 

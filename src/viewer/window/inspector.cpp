@@ -1,10 +1,7 @@
-#include "viewer/window/inspector.hpp"
-
-#include <imgui.h>
-
 #include <algorithm>
 
 #include "viewer/projection.hpp"
+#include "viewer/window/drawing.hpp"
 
 namespace penumbra {
 namespace {
@@ -13,20 +10,11 @@ constexpr float plot_size = 92;
 constexpr ImU32 frame_color = IM_COL32(110, 110, 110, 255);
 constexpr ImU32 chosen_color = IM_COL32(255, 220, 60, 255);
 
-ImVec2 place(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
 ImU32 color_of(const RecordedRay& ray) {
-  switch (ray.kind) {
-    case RayKind::eye:
-      return IM_COL32(255, 255, 255, 255);
-    case RayKind::reflection:
-      return IM_COL32(80, 220, 255, 255);
-    case RayKind::transmission:
-      return IM_COL32(255, 110, 255, 255);
-    case RayKind::shadow:
-      return ray.hit ? IM_COL32(140, 140, 140, 255) : IM_COL32(255, 230, 90, 255);
-  }
-  return frame_color;
+  constexpr ImU32 colors[] = {IM_COL32(255, 255, 255, 255), IM_COL32(255, 230, 90, 255), IM_COL32(80, 220, 255, 255),
+                              IM_COL32(255, 110, 255, 255)};  // in the order of RayKind
+  const bool is_blocked = ray.kind == RayKind::shadow && ray.hit;
+  return is_blocked ? IM_COL32(140, 140, 140, 255) : colors[static_cast<std::size_t>(ray.kind)];
 }
 
 // How long a ray is drawn.

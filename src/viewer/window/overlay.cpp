@@ -1,7 +1,6 @@
-#include "viewer/window/overlay.hpp"
-
 #include <fmt/format.h>
-#include <imgui.h>
+
+#include "viewer/window/drawing.hpp"
 
 namespace penumbra {
 namespace {
@@ -9,8 +8,6 @@ namespace {
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
-
-ImVec2 place(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 void draw_status(const Session& session, int width, int height) {
   ImGui::SetNextWindowPos(place(0, height - status_height));

@@ -1,13 +1,10 @@
-#include "viewer/window/panel.hpp"
-
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "picture/option_table.hpp"
-#include "viewer/window/overlay.hpp"
+#include "viewer/window/drawing.hpp"
 
 namespace penumbra {
 namespace {
@@ -125,8 +122,8 @@ Places draw_knobs(Session& session) {
 }  // namespace
 
 std::vector<KnobPlace> draw_panel(Session& session, int window_width, int window_height) {
-  ImGui::SetNextWindowPos({static_cast<float>(window_width - panel_width), 0});
-  ImGui::SetNextWindowSize({static_cast<float>(panel_width), static_cast<float>(window_height - status_height)});
+  ImGui::SetNextWindowPos(place(window_width - panel_width, 0));
+  ImGui::SetNextWindowSize(place(panel_width, window_height - status_height));
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                      ImGuiWindowFlags_NoNav;

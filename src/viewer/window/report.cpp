@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "base/json_text.hpp"
-#include "viewer/window/overlay.hpp"
 
 namespace penumbra {
 

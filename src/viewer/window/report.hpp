@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "viewer/session.hpp"
-#include "viewer/window/panel.hpp"
+#include "viewer/window/drawing.hpp"
 
 namespace penumbra {
 

@@ -8,11 +8,9 @@
 #include <cstdlib>
 
 #include "viewer/input_map.hpp"
+#include "viewer/window/drawing.hpp"
 #include "viewer/window/imgui_sdl.hpp"
-#include "viewer/window/inspector.hpp"
 #include "viewer/window/mouse.hpp"
-#include "viewer/window/overlay.hpp"
-#include "viewer/window/panel.hpp"
 #include "viewer/window/picture_layer.hpp"
 #include "viewer/window/report.hpp"
 #include "viewer/window/sdl_window.hpp"

@@ -1,4 +1,4 @@
-#include "farm/shell_words.hpp"
+#include "base/shell_words.hpp"
 
 #include <string_view>
 
@@ -8,22 +8,13 @@ std::string shell_word(const std::string& text) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
   if (!text.empty() && text.find_first_not_of(plain) == text.npos) return text;
   std::string word = "'";
-  for (const char letter : text) {
-    if (letter == '\'') {
-      word += R"('\'')";
-    } else {
-      word += letter;
-    }
-  }
+  for (const char letter : text) word += letter == '\'' ? R"('\'')" : std::string(1, letter);
   return word + "'";
 }
 
 std::string shell_words(const std::vector<std::string>& texts) {
   std::string words;
-  for (const std::string& text : texts) {
-    if (!words.empty()) words += ' ';
-    words += shell_word(text);
-  }
+  for (const std::string& text : texts) words.append(words.empty() ? "" : " ").append(shell_word(text));
   return words;
 }
 

@@ -31,20 +31,25 @@ struct SlabOrder {
   }
 };
 
+inline constexpr std::uint32_t no_leaf = 0xffffffffu;
+
 // Nothing is prepared that a group of few shapes does not need.
 struct GroupRays {
   const World& world;
   const Rays& rays;
   Mask active;
+  const float* origin;  // WorldGroup::origin
   Float3 inverse_direction;
   SlabOrder order;
+  Ints start_leaf;  // the leaf of this group that the rays start on, where they have a start
 
   PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask lanes)
-      : world(w), rays(r), active(lanes) {
+      : world(w), rays(r), active(lanes), origin(group.origin) {
     if (!is_leaf(group.root)) {
       inverse_direction = safe_inverse(r.direction);
       order.find(inverse_direction, active);
     }
+    if (r.start) start_leaf = select(r.start->path == Ints(r.path), r.start->leaf, Ints(no_leaf));
   }
 
   // Computed for the first triangle that may be met.

@@ -84,18 +84,28 @@ class WorldBuilder {
     distribute_triangles(parts);
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
+    std::uint32_t places = static_cast<std::uint32_t>(parts.items.size());  // those of instances follow
     bool has_nested = false;
     world_.leaves.reserve(world_.leaves.size() + parts.leaves.size());
     Bounds bounds;
     for (const BvhItem& item : parts.items) {
       world_.leaves.push_back(parts.leaves[item.leaf]);
-      has_nested |= parts.leaves[item.leaf].is_nested();
+      Leaf& leaf = world_.leaves.back();
+      has_nested |= leaf.is_nested();
+      if (leaf.kind == LeafKind::instance) {
+        leaf.first_place = first_leaf + places - group_first_leaf_[leaf.target];
+        places += group_places_[leaf.target];
+      }
       bounds = include(bounds, item.bounds);
     }
     world_.groups[group] = {root, has_nested, {}};
     set3(world_.groups[group].origin, origin);
     group_bounds_.resize(world_.groups.size());
     group_bounds_[group] = bounds;
+    group_first_leaf_.resize(world_.groups.size());
+    group_first_leaf_[group] = first_leaf;
+    group_places_.resize(world_.groups.size());
+    group_places_[group] = places;
     group_magnitude_.resize(world_.groups.size());
     group_magnitude_[group] = parts.magnitude;
     world_.reach = std::max(world_.reach, parts.magnitude);
@@ -294,6 +304,7 @@ class WorldBuilder {
   World world_;
   std::vector<std::uint32_t> group_of_definition_;
   std::vector<Bounds> group_bounds_;
+  std::vector<std::uint32_t> group_first_leaf_, group_places_;  // leaves, with those inside of its instances
   std::vector<double> group_magnitude_;
 };
 

@@ -41,7 +41,6 @@ struct GroupRays {
   const float* origin;  // WorldGroup::origin
   Float3 inverse_direction;
   SlabOrder order;
-  Ints start_leaf;  // the leaf of this group that the rays start on, where they have a start
 
   PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask lanes)
       : world(w), rays(r), active(lanes), origin(group.origin) {
@@ -49,7 +48,6 @@ struct GroupRays {
       inverse_direction = safe_inverse(r.direction);
       order.find(inverse_direction, active);
     }
-    if (r.start) start_leaf = select(r.start->path == Ints(r.path), r.start->leaf, Ints(no_leaf));
   }
 
   // Computed for the first triangle that may be met.

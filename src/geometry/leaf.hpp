@@ -42,9 +42,10 @@ struct Leaf {
   std::uint32_t order = 0;   // at equal distance the lower one wins; with the rank of a surface met from outside
   std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
   std::uint32_t placement = no_placement;
-  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
-  float slack = 0;              // how far a computed hit may be off the surface, beside the rounding of its point
-  union {                       // the one of `kind`
+  std::uint32_t first_place = 0;  // of an instance: what its leaves' indices lack to places (Hits::place)
+  float motion[3] = {0, 0, 0};    // shift per unit of time, in the space of the group
+  float slack = 0;                // how far a computed hit may be off the surface, beside the rounding of its point
+  union {                         // the one of `kind`
     LeafSphere sphere = {};
     LeafBox box;
     LeafCylinder cylinder;

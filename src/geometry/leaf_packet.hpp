@@ -30,8 +30,8 @@ PENUMBRA_INLINE Crossing cross_shape(const LeafTriangle& triangle, const GroupRa
   const Float3 a = broadcast3(triangle.a) - origin;
   const SeenPlane plane(broadcast3(triangle.normal), a, g.rays.direction);
   const auto may_meet = [&](Mask lanes) { return any(lanes) || any(wanted.active & plane.grazing(g.rays.direction)); };
-  const Mask ahead = g.rays.start ? wanted.active : wanted.active & plane.ahead();
-  if (!may_meet(ahead) || !may_meet(wanted.active & search.may_want(plane.distance()))) {
+  const Mask ahead = g.rays.start ? plane.distance() > wanted.nearest : plane.ahead();
+  if (!may_meet(wanted.active & ahead) || !may_meet(wanted.active & ahead & search.may_want(plane.distance()))) {
     return {Mask(false), Floats(0), Mask(false)};
   }
   return cross_triangle({a, broadcast3(triangle.b) - origin, broadcast3(triangle.c) - origin, plane}, g.rays.direction,
@@ -77,8 +77,7 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, std::uint32_t index, Mask la
   set(hits.point, point);
   set(hits.normal, normal);
   set(hits.surface, Ints(leaf.target));
-  set(hits.leaf, Ints(index));
-  set(hits.path, Ints(g.rays.path));
+  set(hits.place, Ints(g.rays.first_place + index));
   set(hits.slack, Floats(leaf.slack));
   const Mask triangle(leaf.kind == LeafKind::triangle);
   hits.two_sided = whole ? triangle : (hits.two_sided & ~lanes) | (lanes & triangle);

@@ -44,7 +44,7 @@ PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, in
   Floats nearest = rays.nearest;
   if (rays.start) {
     const RayStart& start = *rays.start;
-    origin = origin + start.normal * select(start.inward, -start.error, start.error);
+    origin = origin + *start.normal * select(start.inward, -start.error, start.error);
     nearest = start.error * Floats(4);
   }
   if (rays.to_light) farthest = min(farthest, rays.light_distance * Floats(light_margin));
@@ -155,8 +155,8 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   hits.normal = select(nearer, normal, hits.normal);
   hits.surface = select(nearer, triangles.surface, hits.surface);
   hits.texture_point = select(nearer, point, hits.texture_point);
-  hits.leaf = select(nearer, Ints(static_cast<std::uint32_t>(&leaf - world.leaves.data())), hits.leaf);
-  hits.path = select(nearer, Ints(rays.path), hits.path);
+  const auto index = static_cast<std::uint32_t>(&leaf - world.leaves.data());
+  hits.place = select(nearer, Ints(rays.first_place + index), hits.place);
   hits.slack = select(nearer, Floats(leaf.slack), hits.slack);
   hits.two_sided |= nearer;
   hits.found |= nearer;

@@ -21,7 +21,8 @@ __attribute__((noinline)) inline void settle_ends(const GroupRays& g, std::uint3
     if (none(near_start | near_end)) return;
     const Float3 normal = surface_of(g, leaf, t).normal;
     const Floats error = start.error + Floats(leaf.slack);
-    const Mask passed = near_start & ~still_ahead(start, direction, {Ints(index), leaf.passage, normal, t, error});
+    const Mask passed =
+        near_start & ~still_ahead(start, direction, {Ints(g.rays.first_place + index), leaf.passage, normal, t, error});
     if (any(near_end)) {
       const Floats height = (g.rays.light_distance - t) * abs(dot(normal, direction));
       const Floats length = g.rays.light_distance * sqrt(dot(direction, direction));
@@ -45,10 +46,12 @@ PENUMBRA_INLINE Crossing cross_from_start(const GroupRays& g, std::uint32_t inde
   const Leaf& leaf = g.world.leaves[index];
   Wanted wanted{active, Mask(false), g.rays.nearest};
   if (g.rays.start) {
-    const Mask own = active & (g.start_leaf == Ints(index));
-    if (leaf.kind != LeafKind::triangle) wanted.inside = own & g.rays.start->inward;  // a plane is not crossed twice
-    wanted.active = active & (~own | wanted.inside);
-    if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
+    const Mask own = active & (g.rays.start->place == Ints(g.rays.first_place + index));
+    if (any(own)) {
+      if (leaf.kind != LeafKind::triangle) wanted.inside = own & g.rays.start->inward;  // a plane is not crossed twice
+      wanted.active = active & (~own | wanted.inside);
+      if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
+    }
   }
   Crossing crossing = cross_leaf(g, leaf, wanted, search);
   crossing.hit = crossing.hit & wanted.active & search.wants(crossing, leaf);

@@ -22,15 +22,15 @@ inline constexpr float end_share = 1.0f / (1 << 8);
 inline constexpr float parallel_cosine = 0.9999f;
 
 struct RayStart {
-  Ints leaf, path;  // which surface: as in Hits
-  Ints previous;    // the leaf that the rays that arrived had started on
-  Float3 normal;    // of the surface, outward
-  Float3 incoming;  // the direction of the rays that arrived, of any length
-  Floats back;      // the distance along them from the start to the hit point
-  Floats error;     // how far the hit point may be off
-  Mask inward;      // the rays leave to the side that the normal points away from
-  Ints passed;      // the TouchRank up to which surfaces that lie on this one are behind the rays
-  Mask opaque;      // so is the surface: a sheet that lies on it is on either side
+  Ints place;              // which surface: as in Hits
+  Ints previous;           // the place that the rays that arrived had started on
+  const Float3* normal;    // of the surface, outward
+  const Float3* incoming;  // the direction of the rays that arrived, of any length
+  Floats back;             // the distance along them from the start to the hit point
+  Floats error;            // how far the hit point may be off
+  Mask inward;             // the rays leave to the side that the normal points away from
+  Mask through;            // which is not the side that they came from
+  Mask opaque, sheet;      // what the surface is
 };
 
 PENUMBRA_INLINE Ints touch_rank(Passage passage, Mask leaving) {
@@ -40,11 +40,18 @@ PENUMBRA_INLINE Ints touch_rank(Passage passage, Mask leaving) {
 
 // A crossing near the start: what surface, with its outward normals and how far off it may be.
 struct CrossingNearStart {
-  Ints leaf;
+  Ints place;
   Passage passage;
   Float3 normal;
   Floats distance, error;
 };
+
+// The rank up to which surfaces that lie on the start's are behind the rays.
+PENUMBRA_INLINE Ints rank_passed(const RayStart& start) {
+  const Ints of_solid = select(start.inward, Ints(touch_into), Ints(touch_out));
+  const Ints of_sheet = select(start.through, Ints(touch_sheet), Ints(touch_opaque));
+  return select(start.opaque, Ints(touch_opaque), select(start.sheet, of_sheet, of_solid));
+}
 
 // Which rays still have the crossing ahead.
 PENUMBRA_INLINE Mask still_ahead(const RayStart& start, Float3 direction, const CrossingNearStart& crossing) {
@@ -52,16 +59,16 @@ PENUMBRA_INLINE Mask still_ahead(const RayStart& start, Float3 direction, const 
   const Float3 normal = crossing.normal;
   const Floats out = dot(normal, direction);
   const Floats height = crossing.distance * abs(out);
-  const Mask parallel = abs(dot(normal, start.normal)) > Floats(parallel_cosine);
+  const Mask parallel = abs(dot(normal, *start.normal)) > Floats(parallel_cosine);
   const Mask lies_on = parallel & (abs(height) <= crossing.error * Floats(4));
-  Mask later = start.passed < touch_rank(crossing.passage, out > zero);
+  Mask later = rank_passed(start) < touch_rank(crossing.passage, out > zero);
   if (crossing.passage == Passage::sheet) later |= start.opaque;
 
   const Mask beyond = crossing.distance > zero;
-  const Mask came_from_it = crossing.leaf == start.previous;
-  const Mask same_way = out * dot(normal, start.incoming) > zero;
-  const Floats arriving = dot(start.normal, start.incoming);
-  const Floats rise = dot(start.normal, direction) * crossing.distance;
+  const Mask came_from_it = crossing.place == start.previous;
+  const Mask same_way = out * dot(normal, *start.incoming) > zero;
+  const Floats arriving = dot(*start.normal, *start.incoming);
+  const Floats rise = dot(*start.normal, direction) * crossing.distance;
   const Floats in_front = copysign(Floats(1), arriving) * (arriving * start.back - rise);
   const Mask rounded = (height >= -crossing.error) & (in_front > crossing.error * Floats(1.0f / 16)) &
                        ((same_way & ~came_from_it) | (~same_way & came_from_it));

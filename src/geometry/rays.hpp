@@ -20,12 +20,12 @@ struct Rays {
   // A shadow ray ends before the surfaces that its light lies in.
   bool to_light = false;
   Floats light_distance;
-  std::uint32_t path = 0;  // the instances that the rays are inside of, as a hash
+  std::uint32_t first_place = 0;  // of the instances that the rays are inside of: Hits::place of leaf 0
 
   // Lets the rays start at a hit; `scale` is that of the coordinates and distances there.
   PENUMBRA_INLINE void leave(const RayStart& from, Float3 point, Floats scale) {
     start = &from;
-    origin = point - from.incoming * from.back;
+    origin = point - *from.incoming * from.back;
     nearest = scale * Floats(-end_share);
   }
 };
@@ -40,7 +40,7 @@ struct Hits {
   Ints surface;
   Mask two_sided;        // a triangle: shading turns its normal to the viewer
   Float3 texture_point;  // in the space where the shape was defined; where the world has textures
-  Ints leaf, path;       // of World::leaves, and the instances that hold it
+  Ints place;            // of the leaf among all leaves of all instances
   Floats slack;          // Leaf::slack
 
   PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false) {}
@@ -50,7 +50,7 @@ struct Hits {
     const Float3 zero{0.0f, 0.0f, 0.0f};
     point = normal = texture_point = zero;
     surface = Ints(0u);
-    leaf = path = Ints(0u);
+    place = Ints(0u);
     slack = Floats(0);
     two_sided = Mask(false);
   }

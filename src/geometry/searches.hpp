@@ -2,7 +2,6 @@
 // or an instance of another group, and which nodes they still want.
 #pragma once
 
-#include "base/hash.hpp"
 #include "geometry/mesh_packet.hpp"
 #include "geometry/ray_ends.hpp"
 
@@ -17,18 +16,21 @@ Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, F
 // The rays in the space of an instance. Directions are not normalised, so that distances stay what they are.
 struct RaysInside : Rays {
   RayStart own_start;
+  Float3 normal, incoming;
 
   PENUMBRA_INLINE RaysInside(const World& world, const Leaf& leaf, const Rays& rays) : Rays(rays) {
     origin = local_origin(world, leaf, rays);
     direction = local_direction(world, leaf, rays);
     if (leaf.placement == no_placement) return;
     unit = unit && leaf.kind == LeafKind::mesh;  // whose placement is a shift
-    path = hash(path, static_cast<std::uint32_t>(&leaf - world.leaves.data()));
+    first_place += leaf.first_place;
     if (!rays.start) return;
     const Placement& placement = world.placements[leaf.placement];
     own_start = *rays.start;
-    own_start.normal = normalize(multiply_transposed(placement.linear, rays.start->normal));
-    own_start.incoming = multiply(placement.inverse, rays.start->incoming);
+    normal = normalize(multiply_transposed(placement.linear, *rays.start->normal));
+    incoming = multiply(placement.inverse, *rays.start->incoming);
+    own_start.normal = &normal;
+    own_start.incoming = &incoming;
     own_start.error = (rays.start->error + Floats(leaf.slack)) * Floats(placement.shrink);
     start = &own_start;
   }
@@ -67,8 +69,7 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   hits.surface = select(improved, nested.surface, hits.surface);
   hits.two_sided = (hits.two_sided & ~improved) | (nested.two_sided & improved);
   hits.texture_point = select(improved, nested.texture_point, hits.texture_point);
-  hits.leaf = select(improved, nested.leaf, hits.leaf);
-  hits.path = select(improved, nested.path, hits.path);
+  hits.place = select(improved, nested.place, hits.place);
   hits.slack = select(improved, slack, hits.slack);
   hits.found |= improved;
 }

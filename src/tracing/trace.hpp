@@ -71,27 +71,31 @@ PENUMBRA_INLINE Floats scale_at(const Hits& hits) {
   return max(max(abs(p.x), abs(p.y)), max(abs(p.z), hits.distance));
 }
 
-// Where rays leave their hits: to the side that the normal points away from, where `inward`; through the surface, where
-// `through`.
-PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const Material& material, Mask inward,
-                                  Mask through) {
+// Where rays leave their hits on the side they came from, where that is `behind` the surface.
+PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const Material& material, Mask behind,
+                                  Floats scale) {
   RayStart start;
-  start.leaf = hits.leaf;
-  start.path = hits.path;
-  start.previous = arrived.start ? arrived.start->leaf : Ints(no_leaf);
-  start.normal = hits.normal;
-  start.incoming = arrived.direction;
-  start.error = start.back = scale_at(hits) * Floats(rounding_share) + hits.slack;
-  start.inward = inward;
-  start.opaque = material.transmission == Floats(0);
-  start.passed = Ints(touch_opaque);
+  start.place = hits.place;
+  start.previous = arrived.start ? arrived.start->place : Ints(0xffffffffu);
+  start.normal = &hits.normal;
+  start.incoming = &arrived.direction;
+  start.error = start.back = scale * Floats(rounding_share) + hits.slack;
+  start.inward = behind;
+  start.through = start.sheet = Mask(false);
+  start.opaque = Mask(true);
   if (material.any_transmission) {
-    const Mask sheet = hits.two_sided & (material.refraction_index == Floats(1));
-    const Ints of_solid = select(inward, Ints(touch_into), Ints(touch_out));
-    const Ints of_sheet = select(through, Ints(touch_sheet), Ints(touch_opaque));
-    start.passed = select(start.opaque, start.passed, select(sheet, of_sheet, of_solid));
+    start.opaque = material.transmission == Floats(0);
+    start.sheet = hits.two_sided & (material.refraction_index == Floats(1));
   }
   return start;
+}
+
+// The same, for rays that leave on the other side in some lanes.
+PENUMBRA_INLINE RayStart start_through(const RayStart& start, Mask through) {
+  RayStart other = start;
+  other.through = through;
+  other.inward = (start.inward & ~through) | (through & ~start.inward);
+  return other;
 }
 
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
@@ -104,6 +108,7 @@ inline Floats visibility(const TraceContext& c, const Rays& to_light, Mask activ
   Floats through = keep(active, Floats(1));
   Rays rays = to_light;
   RayStart start;
+  Float3 normal;
   Mask open = active;
   while (any(open)) {
     const Hits hits = intersect(world, rays, rays.light_distance, open);
@@ -112,9 +117,14 @@ inline Floats visibility(const TraceContext& c, const Rays& to_light, Mask activ
     const Material material = material_at(c.frame, hits);
     through = select(open, through * material.transmission, through);
     open = open & (through > Floats(0));
-    start = start_at(hits, rays, material, dot(hits.normal, rays.direction) < Floats(0), Mask(true));
-    rays.light_distance = rays.light_distance - hits.distance + start.error;
-    rays.leave(start, hits.point, scale_at(hits));
+    const Floats scale = scale_at(hits);
+    const Mask behind = dot(hits.normal, rays.direction) > Floats(0);
+    start = start_through(start_at(hits, rays, material, behind, scale), Mask(true));
+    normal = hits.normal;
+    start.normal = &normal;
+    start.incoming = &to_light.direction;
+    rays.light_distance = rays.light_distance - hits.distance + start.back;
+    rays.leave(start, hits.point, scale);
   }
   return through;
 }
@@ -145,15 +155,15 @@ struct Normals {
 
 // The light that arrives from the lights.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                           const Normals& normals, Mask behind, int depth, TreePlace place) {
+                           const Normals& normals, const RayStart& start, Floats scale, int depth, TreePlace place) {
   const Settings& settings = c.frame.settings;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
-  RayStart start = start_at(hits, rays, material, behind, Mask(false));
+  RayStart start_behind;
   Rays shadow;
   shadow.time = rays.time;
   shadow.to_light = true;
-  shadow.leave(start, hits.point, scale_at(hits));
+  shadow.leave(start, hits.point, scale);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
@@ -169,7 +179,8 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
       const Mask through = ~((normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero);
       Floats own = Floats(1);
       if (settings.transparent_shadows) {
-        start = start_at(hits, rays, material, (through & ~behind) | (behind & ~through), through);
+        start_behind = start_through(start, through);
+        shadow.start = &start_behind;
         own = select(through, material.transmission, own);
         lit &= own > zero;
       } else {
@@ -216,18 +227,18 @@ struct Lobe {
   bool spread;          // whether any lane has a radius above zero
   Floats radius;
   Float3 side;  // the normal of the side they leave to
-  RayStart start;
+  const RayStart& start;
   TreeStep random_step, ray_step;
 };
 
 // What the rays of a lobe bring.
-inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, const Lobe& lobe, Mask active,
-                         int depth, TreePlace place) {
+inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, Floats scale, const Lobe& lobe,
+                         Mask active, int depth, TreePlace place) {
   c.recorder.announce(lobe.kind, lobe.factor, lobe.count, depth);
   c.counts[lobe.kind] += lobe.count * static_cast<std::uint64_t>(count(active));
   Rays next;
   next.time = rays.time;
-  next.leave(lobe.start, hits.point, scale_at(hits));
+  next.leave(lobe.start, hits.point, scale);
   next.direction = lobe.direction;
   const TreePlace next_place = step(place, lobe.ray_step);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
@@ -244,7 +255,7 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hi
 
 // What the reflected and the transmitted rays bring.
 inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                             Float3 facing, Mask entering, int depth, TreePlace place) {
+                             Float3 facing, const RayStart& start, Floats scale, int depth, TreePlace place) {
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
   Floats reflection = material.reflection, gloss_radius = material.gloss_radius;
@@ -253,7 +264,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   Float3 refracted = rays.direction;
   if (material.any_transmission) {
     const Floats index = material.refraction_index;
-    const Refraction refraction = refract(rays.direction, facing, select(entering, Floats(1) / index, index));
+    const Refraction refraction = refract(rays.direction, facing, select(start.inward, index, Floats(1) / index));
     const Mask candidates = hits.found & (material.transmission != zero);
     const Mask total = candidates & refraction.total;
     reflection = select(total, reflection + material.transmission, reflection);
@@ -269,14 +280,13 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   if (any(reflects)) {
     const Float3 mirror = normalize(reflect(rays.direction, facing));
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
-    const RayStart start = start_at(hits, rays, material, ~entering, Mask(false));
     const Lobe lobe{RayKind::reflection, reflection, count, mirror,     any_gloss,
                     gloss_radius,        facing,     start, step_gloss, step_reflection};
-    sum += trace_lobe(c, rays, hits, lobe, reflects, depth, place);
+    sum += trace_lobe(c, rays, hits, scale, lobe, reflects, depth, place);
   }
   if (any(transmits)) {
     const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
-    const RayStart start = start_at(hits, rays, material, entering, Mask(true));
+    const RayStart beyond = start_through(start, Mask(true));
     const Lobe lobe{RayKind::transmission,
                     material.transmission,
                     count,
@@ -284,10 +294,10 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
                     material.any_blur,
                     material.blur_radius,
                     -facing,
-                    start,
+                    beyond,
                     step_blur,
                     step_transmission};
-    sum += trace_lobe(c, rays, hits, lobe, transmits, depth, place);
+    sum += trace_lobe(c, rays, hits, scale, lobe, transmits, depth, place);
   }
   return sum;
 }
@@ -306,7 +316,7 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
 
   const Material material = material_at(c.frame, hits);
   Mask behind = dot(hits.normal, rays.direction) > Floats(0);
-  if (rays.start) behind |= rays.start->inward & (hits.leaf == rays.start->leaf) & (hits.path == rays.start->path);
+  if (rays.start) behind |= rays.start->inward & (hits.place == rays.start->place);
   behind &= hits.found;
   Normals normals{hits.normal, hits.normal, none(behind)};
   if (!normals.same) {
@@ -319,9 +329,11 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
     first->albedo = material.diffuse;
   }
   c.recorder.surface(material.ambient, normals.shading, depth);
-  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, behind, depth, place);
+  const Floats scale = scale_at(hits);
+  const RayStart start = start_at(hits, rays, material, behind, scale);
+  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, start, scale, depth, place);
   if (material.any_reflection && depth < c.frame.settings.max_depth) {
-    reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
+    reflected += indirect_light(c, rays, hits, material, normals.facing, start, scale, depth, place);
   }
   color += keep(hits.found, reflected);
   c.recorder.end(color, depth);

@@ -14,6 +14,8 @@ namespace {
 
 // Hit points and ray origins carry errors of this share of their largest coordinate; bounds are wider by as much.
 constexpr double bounds_margin = 1.0 / (1 << 20);
+// The error of a hit whose surface the numbers of a shape do not give exactly, as a share of its largest coordinate.
+constexpr double slack_share = 1.0 / (1 << 21);
 
 constexpr float shape_cost = 1;
 constexpr float placed_cost = 2;
@@ -31,7 +33,16 @@ Placement make_placement(const Affine& m) {
   }
   set3(p.translation, m.translation);
   p.stretch = static_cast<float>(row_sum(m));
+  p.shrink = static_cast<float>(row_sum(inv));
   return p;
+}
+
+// Whether all points of the surface have one coordinate that its numbers give to the bit.
+bool is_exact(const Leaf& leaf) {
+  if (leaf.placement != no_placement) return false;
+  if (leaf.kind == LeafKind::box) return true;
+  return leaf.kind == LeafKind::triangle &&
+         std::ranges::any_of(leaf.triangle.normal, [](float n) { return std::abs(n) == 1; });
 }
 
 class WorldBuilder {
@@ -44,7 +55,7 @@ class WorldBuilder {
 
   World build() {
     world_.groups.resize(1);
-    build_group(0, scene_.root.objects);
+    build_group(0, scene_.root.objects, options_.origin);
     return std::move(world_);
   }
 
@@ -55,8 +66,10 @@ class WorldBuilder {
   struct GroupParts {
     ZeroedVector<Leaf> leaves;
     ZeroedVector<BvhItem> items;
+    Vec3 origin;  // WorldGroup::origin
     std::uint32_t order = 0;
-    struct Run {  // static triangles, waiting for the choice of a room
+    double magnitude = 0;  // largest coordinate, in absolute value, on the way to a hit point
+    struct Run {           // static triangles, waiting for the choice of a room
       TriangleRange range;
       std::uint32_t order;
       std::uint32_t surface;
@@ -64,27 +77,38 @@ class WorldBuilder {
     std::vector<Run> runs;
   };
 
-  void build_group(std::uint32_t group, const std::vector<Object>& objects) {
+  void build_group(std::uint32_t group, const std::vector<Object>& objects, Vec3 origin) {
     GroupParts parts;
+    parts.origin = origin;
     for (const Object& object : objects) add(parts, object, {});
     distribute_triangles(parts);
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
+    std::uint32_t places = static_cast<std::uint32_t>(parts.items.size());  // those of instances follow
     bool has_nested = false;
     world_.leaves.reserve(world_.leaves.size() + parts.leaves.size());
     Bounds bounds;
     for (const BvhItem& item : parts.items) {
       world_.leaves.push_back(parts.leaves[item.leaf]);
-      has_nested |= parts.leaves[item.leaf].is_nested();
+      Leaf& leaf = world_.leaves.back();
+      has_nested |= leaf.is_nested();
+      if (leaf.kind == LeafKind::instance) {
+        leaf.first_place = first_leaf + places - group_first_leaf_[leaf.target];
+        places += group_places_[leaf.target];
+      }
       bounds = include(bounds, item.bounds);
     }
-    world_.groups[group] = {root, has_nested};
+    world_.groups[group] = {root, has_nested, {}};
+    set3(world_.groups[group].origin, origin);
     group_bounds_.resize(world_.groups.size());
     group_bounds_[group] = bounds;
+    group_first_leaf_.resize(world_.groups.size());
+    group_first_leaf_[group] = first_leaf;
+    group_places_.resize(world_.groups.size());
+    group_places_[group] = places;
     group_magnitude_.resize(world_.groups.size());
-    for (const Leaf& leaf : parts.leaves) {
-      group_magnitude_[group] = std::max(group_magnitude_[group], double{leaf.magnitude});
-    }
+    group_magnitude_[group] = parts.magnitude;
+    world_.reach = std::max(world_.reach, parts.magnitude);
   }
 
   void add(GroupParts& parts, const Object& object, Vec3 group_motion) {
@@ -99,18 +123,18 @@ class WorldBuilder {
   }
   template <AnalyticShape Shape>
   void add_shape(GroupParts& parts, const Object& object, const Shape& shape, Vec3 motion) {
-    place_shape(parts, shape, object.surface, scene_.placements[object.placement], motion);
+    place_shape(parts, shape, object.surface, translation(-parts.origin) * scene_.placements[object.placement], motion);
   }
   void add_shape(GroupParts& parts, const Object& object, const Instance& instance, Vec3 motion) {
     world_.instance_count++;
-    const Affine& placement = scene_.placements[object.placement];
+    const Affine placement = translation(-parts.origin) * scene_.placements[object.placement];
     const Object& definition = scene_.definitions[instance.definition];
     if (add_as_single_shape(parts, definition, placement, motion)) return;
     std::uint32_t group = group_of_definition_[instance.definition];
     if (group == no_group) {
       group = static_cast<std::uint32_t>(world_.groups.size());
       world_.groups.emplace_back();
-      build_group(group, {definition});
+      build_group(group, {definition}, {});
       group_of_definition_[instance.definition] = group;
     }
     const Bounds inner = group_bounds_[group];
@@ -146,6 +170,7 @@ class WorldBuilder {
     const std::optional<Shape> moved = mapped(m, shape);
     Leaf leaf(leaf_of(moved ? *moved : shape));
     leaf.target = surface;
+    leaf.passage = passage_of(surface, false);
     if (moved) return add_leaf(parts, leaf, bounds_of(*moved), motion, shape_cost);
     leaf.placement = add_placement(m);
     const double reach = row_sum(m) * magnitude(bounds_of(shape)) + max_component(abs(m.translation));
@@ -156,6 +181,13 @@ class WorldBuilder {
     world_.has_textures |= scene_.surfaces[surface].texture != Texture::none;
   }
 
+  // Triangles do not tell whether they enclose a solid; what does not refract is a sheet.
+  Passage passage_of(std::uint32_t surface, bool triangle) const {
+    const Surface& s = scene_.surfaces[surface];
+    if (s.transmission == 0) return Passage::opaque;
+    return triangle && s.refraction_index == 1 ? Passage::sheet : Passage::solid;
+  }
+
   std::uint32_t add_placement(const Affine& m) {
     world_.placements.push_back(make_placement(m));
     return static_cast<std::uint32_t>(world_.placements.size() - 1);
@@ -163,7 +195,7 @@ class WorldBuilder {
 
   // `bounds` at time 0; `reach` is the largest coordinate met on the way to a hit, if larger than the bounds'.
   void add_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach = 0) {
-    leaf.order = parts.order++;
+    leaf.order = touch_order(leaf.passage, parts.order++);
     add_ordered_leaf(parts, leaf, bounds, motion, cost, reach);
   }
   void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
@@ -172,7 +204,8 @@ class WorldBuilder {
     const Bounds over_shutter =
         include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));
     const double largest = std::max({magnitude(bounds), magnitude(over_shutter), reach});
-    leaf.magnitude = static_cast<float>(largest);
+    parts.magnitude = std::max(parts.magnitude, largest);
+    if (leaf.moves || !is_exact(leaf)) leaf.slack = static_cast<float>(largest * slack_share);
     parts.items.push_back(
         {grow(over_shutter, largest * bounds_margin + DBL_MIN), static_cast<std::uint32_t>(parts.leaves.size()), cost});
     parts.leaves.push_back(leaf);
@@ -241,23 +274,26 @@ class WorldBuilder {
     mesh.embree = &embree_library();
     mesh.scene = device_.build(*scene_.triangles, ranges);
     Leaf leaf(LeafKind::mesh);
+    if (parts.origin != Vec3{}) leaf.placement = add_placement(translation(-parts.origin));
+    leaf.passage = passage_of(runs.front().surface, true);
     leaf.order = runs.front().order;
     leaf.target = static_cast<std::uint32_t>(world_.meshes.size());
     world_.meshes.push_back(std::move(mesh));
-    add_ordered_leaf(parts, leaf, bounds, motion, mesh_cost, 0);
+    add_ordered_leaf(parts, leaf, shift(bounds, -parts.origin), motion, mesh_cost, magnitude(bounds));
   }
 
   void add_single_triangles(GroupParts& parts, const GroupParts::Run& run, Vec3 motion) {
     for (std::uint32_t i = 0; i < run.range.count; i++) {
       const std::uint32_t triangle = run.range.first + i;
-      const Vec3 a = corner_of(*scene_.triangles, triangle, 0);
-      const Vec3 b = corner_of(*scene_.triangles, triangle, 1);
-      const Vec3 c = corner_of(*scene_.triangles, triangle, 2);
+      const Vec3 a = corner_of(*scene_.triangles, triangle, 0) - parts.origin;
+      const Vec3 b = corner_of(*scene_.triangles, triangle, 1) - parts.origin;
+      const Vec3 c = corner_of(*scene_.triangles, triangle, 2) - parts.origin;
       if (!(length(cross(b - a, c - a)) > 0)) continue;  // a triangle without area is never hit
       Leaf leaf(leaf_of_triangle(a, b, c));
-      leaf.order = run.order + i;
       leaf.target = run.surface;
-      const Bounds bounds = bounds_of(*scene_.triangles, {triangle, 1});
+      leaf.passage = passage_of(run.surface, true);
+      leaf.order = touch_order(leaf.passage, run.order + i);
+      const Bounds bounds = include(include({a, a}, b), c);
       add_ordered_leaf(parts, leaf, bounds, motion, shape_cost, 0);
     }
   }
@@ -268,6 +304,7 @@ class WorldBuilder {
   World world_;
   std::vector<std::uint32_t> group_of_definition_;
   std::vector<Bounds> group_bounds_;
+  std::vector<std::uint32_t> group_first_leaf_, group_places_;  // leaves, with those inside of its instances
   std::vector<double> group_magnitude_;
 };
 

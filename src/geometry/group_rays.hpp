@@ -31,16 +31,19 @@ struct SlabOrder {
   }
 };
 
+inline constexpr std::uint32_t no_leaf = 0xffffffffu;
+
 // Nothing is prepared that a group of few shapes does not need.
 struct GroupRays {
   const World& world;
   const Rays& rays;
   Mask active;
+  const float* origin;  // WorldGroup::origin
   Float3 inverse_direction;
   SlabOrder order;
 
   PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask lanes)
-      : world(w), rays(r), active(lanes) {
+      : world(w), rays(r), active(lanes), origin(group.origin) {
     if (!is_leaf(group.root)) {
       inverse_direction = safe_inverse(r.direction);
       order.find(inverse_direction, active);

@@ -17,16 +17,35 @@ enum class LeafKind : std::uint8_t { sphere, box, cylinder, cone, triangle, mesh
 
 inline constexpr std::uint32_t no_placement = 0xffffffffu;
 
+// What light does at a surface: it stays outside, it enters or leaves a solid, or it goes through a sheet.
+enum class Passage : std::uint8_t { opaque, solid, sheet };
+
+// In which order a ray crosses surfaces that lie on each other; the two highest bits of an order, so that the one to be
+// crossed first wins a tie.
+enum TouchRank : std::uint32_t { touch_out = 0, touch_sheet = 1, touch_opaque = 2, touch_into = 3 };
+inline constexpr int touch_rank_shift = 30;
+inline constexpr std::uint32_t order_mask = (1u << touch_rank_shift) - 1;
+
+// The order of a surface that is met from outside.
+constexpr std::uint32_t touch_order(Passage passage, std::uint32_t order) {
+  const TouchRank rank = passage == Passage::opaque  ? touch_opaque
+                         : passage == Passage::sheet ? touch_sheet
+                                                     : touch_into;
+  return order | (std::uint32_t{rank} << touch_rank_shift);
+}
+
 // One shape of a group, in the space of the group (or of its placement, where it has one).
 struct Leaf {
   LeafKind kind;
+  Passage passage = Passage::opaque;
   bool moves = false;        // `motion` is not zero
-  std::uint32_t order = 0;   // at equal distance the lower one wins
+  std::uint32_t order = 0;   // at equal distance the lower one wins; with the rank of a surface met from outside
   std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
   std::uint32_t placement = no_placement;
-  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
-  float magnitude = 0;          // largest coordinate, in absolute value, on the way to a hit point
-  union {                       // the one of `kind`
+  std::uint32_t first_place = 0;  // of an instance: what its leaves' indices lack to places (Hits::place)
+  float motion[3] = {0, 0, 0};    // shift per unit of time, in the space of the group
+  float slack = 0;                // how far a computed hit may be off the surface, beside the rounding of its point
+  union {                         // the one of `kind`
     LeafSphere sphere = {};
     LeafBox box;
     LeafCylinder cylinder;

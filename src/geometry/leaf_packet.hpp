@@ -5,50 +5,66 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-PENUMBRA_INLINE ShapeRays rays_of_shape(const GroupRays& g, const Leaf& leaf) {
-  return {local_origin(g.world, leaf, g.rays), local_direction(g.world, leaf, g.rays), g.rays.nearest,
-          g.rays.unit && leaf.placement == no_placement};
+PENUMBRA_INLINE ShapeRays rays_of_shape(const GroupRays& g, const Leaf& leaf, Floats nearest, Mask inside) {
+  return {local_origin(g.world, leaf, g.rays), local_direction(g.world, leaf, g.rays), nearest,
+          g.rays.unit && leaf.placement == no_placement, inside};
 }
+
+// Which crossings of a leaf are asked for.
+struct Wanted {
+  Mask active;
+  Mask inside;  // lanes that start on the leaf and go into it
+  Floats nearest;
+};
 
 // Where the rays cross the shape of a leaf. What the search does not want may be left out.
 template <typename Shape, typename Search>
-PENUMBRA_INLINE Crossing cross_shape(const Shape& shape, const GroupRays& g, const Leaf& leaf, Mask, const Search&) {
-  return first_crossing(shape, rays_of_shape(g, leaf));
+PENUMBRA_INLINE Crossing cross_shape(const Shape& shape, const GroupRays& g, const Leaf& leaf, const Wanted& wanted,
+                                     const Search&) {
+  return first_crossing(shape, rays_of_shape(g, leaf, wanted.nearest, wanted.inside));
 }
 template <typename Search>
-PENUMBRA_INLINE Crossing cross_shape(const LeafTriangle& triangle, const GroupRays& g, const Leaf& leaf, Mask active,
-                                     const Search& search) {
+PENUMBRA_INLINE Crossing cross_shape(const LeafTriangle& triangle, const GroupRays& g, const Leaf& leaf,
+                                     const Wanted& wanted, const Search& search) {
   const Float3 origin = local_origin(g.world, leaf, g.rays);
   const Float3 a = broadcast3(triangle.a) - origin;
   const SeenPlane plane(broadcast3(triangle.normal), a, g.rays.direction);
-  const auto may_meet = [&](Mask lanes) { return any(lanes) || any(active & plane.grazing(g.rays.direction)); };
-  if (!may_meet(active & plane.ahead()) || !may_meet(active & search.wants(plane.distance(), leaf))) {
-    return {Mask(false), Floats(0)};
+  const auto may_meet = [&](Mask lanes) { return any(lanes) || any(wanted.active & plane.grazing(g.rays.direction)); };
+  const Mask ahead = g.rays.start ? plane.distance() > wanted.nearest : plane.ahead();
+  if (!may_meet(wanted.active & ahead) || !may_meet(wanted.active & ahead & search.may_want(plane.distance()))) {
+    return {Mask(false), Floats(0), Mask(false)};
   }
   return cross_triangle({a, broadcast3(triangle.b) - origin, broadcast3(triangle.c) - origin, plane}, g.rays.direction,
-                        g.rays.nearest, g.shear());
+                        wanted.nearest, g.shear());
 }
 template <typename Search>
-PENUMBRA_INLINE Crossing cross_leaf(const GroupRays& g, const Leaf& leaf, Mask active, const Search& search) {
+PENUMBRA_INLINE Crossing cross_leaf(const GroupRays& g, const Leaf& leaf, const Wanted& wanted, const Search& search) {
   const auto cross = [&](const auto& shape) __attribute__((always_inline)) {
-    return cross_shape(shape, g, leaf, active, search);
+    return cross_shape(shape, g, leaf, wanted, search);
   };
   return with_shape(leaf, cross);
 }
 
-// Fills in `hits` for the lanes that hit this leaf at `distance`; where `whole`, for all lanes.
-template <bool whole>
-PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes, Hits& hits) {
-  const ShapeRays rays = rays_of_shape(g, leaf);
+// The surface of a leaf at `distance`, before its motion.
+PENUMBRA_INLINE SurfacePoint surface_of(const GroupRays& g, const Leaf& leaf, Floats distance) {
+  const ShapeRays rays = rays_of_shape(g, leaf, g.rays.nearest, Mask(false));
   const auto at_hit = [&](const auto& shape) __attribute__((always_inline)) {
-    return surface_at(shape, rays, hits.distance);
+    return surface_at(shape, rays, distance);
   };
-  auto [point, normal] = with_shape(leaf, at_hit);
+  SurfacePoint surface = with_shape(leaf, at_hit);
   if (leaf.placement != no_placement) {
     const Placement& placement = g.world.placements[leaf.placement];
-    point = multiply(placement.linear, point) + broadcast3(placement.translation);
-    normal = normalize(multiply_transposed(placement.inverse, normal));
+    surface.point = multiply(placement.linear, surface.point) + broadcast3(placement.translation);
+    surface.normal = normalize(multiply_transposed(placement.inverse, surface.normal));
   }
+  return surface;
+}
+
+// Fills in `hits` for the lanes that hit leaf `index` at `distance`; where `whole`, for all lanes.
+template <bool whole>
+PENUMBRA_INLINE void finish_hit(const GroupRays& g, std::uint32_t index, Mask lanes, Hits& hits) {
+  const Leaf& leaf = g.world.leaves[index];
+  auto [point, normal] = surface_of(g, leaf, hits.distance);
   const auto set = [&](auto& field, auto value) {
     if constexpr (whole) {
       field = value;
@@ -56,12 +72,13 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
       field = select(lanes, value, field);
     }
   };
-  if (g.world.has_textures) set(hits.texture_point, point);
+  if (g.world.has_textures) set(hits.texture_point, point + broadcast3(g.origin));
   if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
   set(hits.point, point);
   set(hits.normal, normal);
   set(hits.surface, Ints(leaf.target));
-  set(hits.magnitude, Floats(leaf.magnitude));
+  set(hits.place, Ints(g.rays.first_place + index));
+  set(hits.slack, Floats(leaf.slack));
   const Mask triangle(leaf.kind == LeafKind::triangle);
   hits.two_sided = whole ? triangle : (hits.two_sided & ~lanes) | (lanes & triangle);
 }

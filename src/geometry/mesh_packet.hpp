@@ -34,17 +34,27 @@ PENUMBRA_INLINE void store_half(std::uint32_t* p, Ints a, int half) {
   __builtin_memcpy(p, half == 0 ? &a.lo : &a.hi, sizeof a.lo);
 }
 
-// Embree is asked a little further than the nearest hit so far, so that a tie is never lost to its rounding.
+// Embree is asked a little further than the nearest hit so far, so that a tie is never lost to its rounding; and on the
+// way to a light, not so far that a mesh in which the light lies may stop it.
 inline constexpr float tie_margin = 1.0f + 1.0f / (1 << 19);
+inline constexpr float light_margin = 1.0f - 1.0f / (1 << 15);
 
 PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, int half) {
-  store_half(out.org_x, rays.origin.x, half);
-  store_half(out.org_y, rays.origin.y, half);
-  store_half(out.org_z, rays.origin.z, half);
+  Float3 origin = rays.origin;
+  Floats nearest = rays.nearest;
+  if (rays.start) {
+    const RayStart& start = *rays.start;
+    origin = origin + *start.normal * select(start.inward, -start.error, start.error);
+    nearest = start.error * Floats(4);
+  }
+  if (rays.to_light) farthest = min(farthest, rays.light_distance * Floats(light_margin));
+  store_half(out.org_x, origin.x, half);
+  store_half(out.org_y, origin.y, half);
+  store_half(out.org_z, origin.z, half);
   store_half(out.dir_x, rays.direction.x, half);
   store_half(out.dir_y, rays.direction.y, half);
   store_half(out.dir_z, rays.direction.z, half);
-  store_half(out.tnear, rays.nearest, half);
+  store_half(out.tnear, nearest, half);
   store_half(out.tfar, farthest, half);
   store_half(out.time, Floats(0), half);
   store_half(out.mask, Ints(0xffffffffu), half);
@@ -57,8 +67,9 @@ struct MeshTriangles {
   Ints surface, order;
 };
 
-inline MeshTriangles triangles_found(const World& world, const Mesh& mesh, const std::uint32_t* geometry,
+inline MeshTriangles triangles_found(const World& world, const Leaf& leaf, const std::uint32_t* geometry,
                                      const std::uint32_t* primitive, Mask found) {
+  const Mesh& mesh = world.meshes[leaf.target];
   alignas(64) float corner[9][lane_count] = {};
   alignas(64) std::uint32_t surface[lane_count] = {};
   alignas(64) std::uint32_t order[lane_count] = {};
@@ -71,7 +82,7 @@ inline MeshTriangles triangles_found(const World& world, const Mesh& mesh, const
       for (int axis = 0; axis < 3; axis++) corner[3 * k + axis][lane] = p[axis];
     }
     surface[lane] = chunk.surfaces.empty() ? chunk.surface : chunk.surfaces[primitive[lane]];
-    order[lane] = chunk.order + primitive[lane];
+    order[lane] = touch_order(leaf.passage, chunk.order + primitive[lane]);
   }
   const auto corner_at = [&](int k) {
     return Float3{load(corner[3 * k]), load(corner[3 * k + 1]), load(corner[3 * k + 2])};
@@ -118,7 +129,7 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   const Mask found = find_in_mesh(mesh, rays, hits.distance * Floats(tie_margin), active, query);
   if (none(found)) return found;
 
-  const MeshTriangles triangles = triangles_found(world, mesh, query.geometry, query.primitive, found);
+  const MeshTriangles triangles = triangles_found(world, leaf, query.geometry, query.primitive, found);
   const Float3 across = cross(triangles.b - triangles.a, triangles.c - triangles.a);
   const Floats size = sqrt(dot(across, across));
   const Float3 normal{across.x / size, across.y / size, across.z / size};
@@ -133,17 +144,20 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
                        rays.direction, rays.nearest, RayShear(rays.direction, found));
     distance = select(grazing & own.hit, own.distance, distance);
   }
-  const Mask nearer =
-      found & ((distance < hits.distance) | ((distance == hits.distance) & (triangles.order < hits.order)));
+  Ints order = triangles.order;
+  if (leaf.passage == Passage::solid) order = select(cosine > Floats(0), order & Ints(order_mask), order);
+  const Mask nearer = found & ((distance < hits.distance) | ((distance == hits.distance) & (order < hits.order)));
   Float3 point = rays.origin + rays.direction * distance;
   point = point - normal * dot(normal, point - triangles.a);
   hits.distance = select(nearer, distance, hits.distance);
-  hits.order = select(nearer, triangles.order, hits.order);
+  hits.order = select(nearer, order, hits.order);
   hits.point = select(nearer, point, hits.point);
   hits.normal = select(nearer, normal, hits.normal);
   hits.surface = select(nearer, triangles.surface, hits.surface);
   hits.texture_point = select(nearer, point, hits.texture_point);
-  hits.magnitude = select(nearer, Floats(leaf.magnitude), hits.magnitude);
+  const auto index = static_cast<std::uint32_t>(&leaf - world.leaves.data());
+  hits.place = select(nearer, Ints(rays.first_place + index), hits.place);
+  hits.slack = select(nearer, Floats(leaf.slack), hits.slack);
   hits.two_sided |= nearer;
   hits.found |= nearer;
   return nearer;

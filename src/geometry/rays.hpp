@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lane_math.hpp"
+#include "geometry/ray_start.hpp"
 #include "geometry/world.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
@@ -10,22 +11,37 @@ struct Rays {
   Float3 origin;
   Float3 direction;       // unit length in the world; any length behind a placement
   Floats time;            // of the shutter
-  Floats nearest{0.0f};   // hits at this distance or nearer do not count: where the ray starts, surfaces may touch
+  Floats nearest{0.0f};   // hits at this distance or nearer do not count
   bool unit = true;       // the directions have length one
   bool coherent = false;  // the rays run close together: a hint for Embree
+  // Where the rays leave a surface; eye rays have no such start. Surfaces that touch the start are met from -nearest
+  // down to `nearest`.
+  const RayStart* start = nullptr;
+  // A shadow ray ends before the surfaces that its light lies in.
+  bool to_light = false;
+  Floats light_distance;
+  std::uint32_t first_place = 0;  // of the instances that the rays are inside of: Hits::place of leaf 0
+
+  // Lets the rays start at a hit; `scale` is that of the coordinates and distances there.
+  PENUMBRA_INLINE void leave(const RayStart& from, Float3 point, Floats scale) {
+    start = &from;
+    origin = point - *from.incoming * from.back;
+    nearest = scale * Floats(-end_share);
+  }
 };
 
 // What the rays hit first. The lanes in `found` are filled in; points and normals are in the space of the rays.
 struct Hits {
   Floats distance;  // along the direction; in: the farthest that counts (exclusive), out: of the hit
-  Ints order;       // of the leaf that was hit, for ties
+  Ints order;       // of the leaf that was hit, for ties, with its TouchRank
   Mask found;
   Float3 point;   // put back on the exact surface
   Float3 normal;  // outward, unit length in the world
   Ints surface;
   Mask two_sided;        // a triangle: shading turns its normal to the viewer
   Float3 texture_point;  // in the space where the shape was defined; where the world has textures
-  Floats magnitude;      // largest coordinate met on the way to the point: the scale of its rounding error
+  Ints place;            // of the leaf among all leaves of all instances
+  Floats slack;          // Leaf::slack
 
   PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false) {}
 
@@ -34,7 +50,8 @@ struct Hits {
     const Float3 zero{0.0f, 0.0f, 0.0f};
     point = normal = texture_point = zero;
     surface = Ints(0u);
-    magnitude = Floats(0);
+    place = Ints(0u);
+    slack = Floats(0);
     two_sided = Mask(false);
   }
 };

@@ -2,8 +2,8 @@
 // or an instance of another group, and which nodes they still want.
 #pragma once
 
-#include "geometry/leaf_packet.hpp"
 #include "geometry/mesh_packet.hpp"
+#include "geometry/ray_ends.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
 
@@ -14,27 +14,45 @@ void intersect_group(const World& world, std::uint32_t group, const Rays& rays, 
 Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active);
 
 // The rays in the space of an instance. Directions are not normalised, so that distances stay what they are.
-PENUMBRA_INLINE Rays rays_inside(const World& world, const Leaf& leaf, const Rays& rays) {
-  Rays inside = rays;
-  inside.origin = local_origin(world, leaf, rays);
-  inside.direction = local_direction(world, leaf, rays);
-  inside.unit = rays.unit && leaf.placement == no_placement;
-  return inside;
-}
+struct RaysInside : Rays {
+  RayStart own_start;
+  Float3 normal, incoming;
+
+  PENUMBRA_INLINE RaysInside(const World& world, const Leaf& leaf, const Rays& rays) : Rays(rays) {
+    origin = local_origin(world, leaf, rays);
+    direction = local_direction(world, leaf, rays);
+    if (leaf.placement == no_placement) return;
+    unit = unit && leaf.kind == LeafKind::mesh;  // whose placement is a shift
+    first_place += leaf.first_place;
+    if (!rays.start) return;
+    const Placement& placement = world.placements[leaf.placement];
+    own_start = *rays.start;
+    normal = normalize(multiply_transposed(placement.linear, *rays.start->normal));
+    incoming = multiply(placement.inverse, *rays.start->incoming);
+    own_start.normal = &normal;
+    own_start.incoming = &incoming;
+    own_start.error = (rays.start->error + Floats(leaf.slack)) * Floats(placement.shrink);
+    start = &own_start;
+  }
+  RaysInside(const RaysInside&) = delete;
+};
 
 // Instances and meshes answer for themselves: the lanes they improve are filled in.
 inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, Hits& hits) {
-  const Rays inside = rays_inside(g.world, leaf, g.rays);
+  const RaysInside inside(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::mesh) {
     const Mask improved = intersect_mesh(g.world, leaf, inside, active, hits);
-    if (leaf.moves) {
-      hits.point = select(improved, hits.point + broadcast3(leaf.motion) * g.rays.time, hits.point);
-    }
+    Float3 point = hits.point;
+    if (leaf.placement != no_placement) point = point + broadcast3(g.world.placements[leaf.placement].translation);
+    if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
+    hits.point = select(improved, point, hits.point);
     return;
   }
   // Inside, ties are lost to what was named before this instance and won against what was named after it.
   Hits nested = hits;
-  nested.order = select(Ints(leaf.order) < hits.order, Ints(0xffffffffu), Ints(0u));
+  const Ints order(leaf.order & order_mask);
+  const Ints rank = hits.order & Ints(~order_mask);
+  nested.order = select(order < (hits.order & Ints(order_mask)), rank + Ints(order_mask), rank);
   nested.found = Mask(false);
   intersect_group(g.world, leaf.target, inside, active, nested);
   const Mask improved = nested.found;
@@ -43,22 +61,22 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   Float3 point = multiply(placement.linear, nested.point) + broadcast3(placement.translation);
   if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
   const Float3 normal = normalize(multiply_transposed(placement.inverse, nested.normal));
-  const Floats reach = max(Floats(leaf.magnitude), nested.magnitude * Floats(placement.stretch));
+  const Floats slack = max(Floats(leaf.slack), nested.slack * Floats(placement.stretch));
   hits.distance = select(improved, nested.distance, hits.distance);
-  hits.order = select(improved, Ints(leaf.order), hits.order);
+  hits.order = select(improved, order + (nested.order & Ints(~order_mask)), hits.order);
   hits.point = select(improved, point, hits.point);
   hits.normal = select(improved, normal, hits.normal);
   hits.surface = select(improved, nested.surface, hits.surface);
   hits.two_sided = (hits.two_sided & ~improved) | (nested.two_sided & improved);
   hits.texture_point = select(improved, nested.texture_point, hits.texture_point);
-  hits.magnitude = select(improved, reach, hits.magnitude);
+  hits.place = select(improved, nested.place, hits.place);
+  hits.slack = select(improved, slack, hits.slack);
   hits.found |= improved;
 }
 
 // The state of a search for the nearest hit in one group: how far it is, and which leaf each lane has, until hits are
 // filled in at the end.
 struct NearestSearch {
-  static constexpr std::uint32_t no_leaf = 0xffffffffu;
   Hits& hits;  // filled in by nested leaves on the way
   Floats distance;
   Ints order;
@@ -81,19 +99,24 @@ struct NearestSearch {
       leaf = select(changed, Ints(no_leaf), leaf);
       found |= changed;
     } else {
-      const Crossing crossing = cross_leaf(g, candidate, active, *this);
-      const Mask nearer = active & crossing.hit & wants(crossing.distance, candidate);
+      const Crossing crossing = cross_from_start(g, index, active, *this);
+      const Mask nearer = crossing.hit;
       if (none(nearer)) return;
       distance = select(nearer, crossing.distance, distance);
-      order = select(nearer, Ints(candidate.order), order);
+      order = select(nearer, order_of(candidate, crossing), order);
       leaf = select(nearer, Ints(index), leaf);
       found |= nearer;
     }
     cull_distance = distance * Floats(distance_margin);
   }
-  // Where a leaf at this distance would be the nearest.
-  PENUMBRA_INLINE Mask wants(Floats t, const Leaf& candidate) const {
-    return (t < distance) | ((t == distance) & (Ints(candidate.order) < order));
+  // Where a leaf that is crossed like this is the nearest; where one at this distance may be.
+  PENUMBRA_INLINE Mask wants(const Crossing& c, const Leaf& candidate) const {
+    return (c.distance < distance) | ((c.distance == distance) & (order_of(candidate, c) < order));
+  }
+  PENUMBRA_INLINE Mask may_want(Floats t) const { return t <= distance; }
+  PENUMBRA_INLINE static Ints order_of(const Leaf& candidate, const Crossing& crossing) {
+    const Ints order(candidate.order);
+    return candidate.passage == Passage::solid ? select(crossing.leaving, order & Ints(order_mask), order) : order;
   }
   PENUMBRA_INLINE bool done(Mask) const { return false; }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats enter) const { return active & (enter <= cull_distance); }
@@ -111,15 +134,15 @@ struct AnySearch {
     const Leaf& candidate = g.world.leaves[index];
     active = active & ~blocked;
     if (candidate.kind == LeafKind::mesh) {
-      blocked |= occluded_mesh(g.world, candidate, rays_inside(g.world, candidate, g.rays), farthest, active);
+      blocked |= occluded_mesh(g.world, candidate, RaysInside(g.world, candidate, g.rays), farthest, active);
     } else if (candidate.kind == LeafKind::instance) {
-      blocked |= occluded_group(g.world, candidate.target, rays_inside(g.world, candidate, g.rays), farthest, active);
+      blocked |= occluded_group(g.world, candidate.target, RaysInside(g.world, candidate, g.rays), farthest, active);
     } else {
-      const Crossing crossing = cross_leaf(g, candidate, active, *this);
-      blocked |= active & crossing.hit & wants(crossing.distance, candidate);
+      blocked |= cross_from_start(g, index, active, *this).hit;
     }
   }
-  PENUMBRA_INLINE Mask wants(Floats t, const Leaf&) const { return t < farthest; }
+  PENUMBRA_INLINE Mask wants(const Crossing& c, const Leaf&) const { return c.distance < farthest; }
+  PENUMBRA_INLINE Mask may_want(Floats t) const { return t < farthest; }
   PENUMBRA_INLINE bool done(Mask all) const { return none(all & ~blocked); }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats) const { return active & ~blocked; }
 };

@@ -91,17 +91,17 @@ PENUMBRA_INLINE void find_nearest(const World& world, std::uint32_t group, const
   hits.found = fresh ? search.found : hits.found | search.found;
   alignas(64) std::uint32_t leaf_of_lane[lane_count];
   store(leaf_of_lane, search.leaf);
-  Mask open = search.found & ~(search.leaf == Ints(NearestSearch::no_leaf));
+  Mask open = search.found & ~(search.leaf == Ints(no_leaf));
   while (any(open)) {
     const std::uint32_t index = leaf_of_lane[__builtin_ctz(bits(open))];
     const Mask same = open & (search.leaf == Ints(index));
     if (!defined && bits(same) == bits(open)) {
-      finish_hit<true>(g, world.leaves[index], same, hits);
+      finish_hit<true>(g, index, same, hits);
       return;
     }
     if (!defined) hits.clear();
     defined = true;
-    finish_hit<false>(g, world.leaves[index], same, hits);
+    finish_hit<false>(g, index, same, hits);
     open = open & ~same;
   }
   if (!defined) hits.clear();

@@ -24,7 +24,7 @@ struct Placement {
   float linear[9];
   float inverse[9];
   float translation[3];
-  float stretch;  // how much `linear` can enlarge a coordinate: the largest sum of absolute values in a row
+  float stretch, shrink;  // how much `linear` and `inverse` can enlarge a coordinate (row_sum)
 };
 
 // A node's child: an inner node (its index), or a run of leaves: top bit set, then 5 bits of count, 26 bits of first.
@@ -45,7 +45,8 @@ struct alignas(64) Node {
 
 struct WorldGroup {
   NodeReference root = leaf_reference(0, 0);
-  bool has_nested = false;  // meshes or instances
+  bool has_nested = false;      // meshes or instances
+  float origin[3] = {0, 0, 0};  // of the space that the group is traced in, in the space of the scene's numbers
 };
 
 // Triangles of the store that follow each other both there and in the order of the file.
@@ -72,6 +73,8 @@ struct World {
   std::shared_ptr<const TriangleStore> triangles;
   bool has_textures = false;  // texture points are wanted
 
+  double reach = 0;  // the largest coordinate, in absolute value, that any hit may have
+
   std::uint64_t shape_count = 0;     // analytic shapes, each definition counted once
   std::uint64_t triangle_count = 0;  // likewise
   std::uint64_t instance_count = 0;
@@ -81,6 +84,7 @@ struct WorldOptions {
   double shutter_open = 0;
   double shutter_close = 1;
   int threads = 1;
+  Vec3 origin;                            // of the space that the scene is traced in
   std::uint32_t embree_threshold = 4096;  // runs of at least so many static triangles go to Embree
 };
 

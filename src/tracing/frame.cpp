@@ -5,6 +5,14 @@
 namespace penumbra {
 namespace {
 
+// Single precision is finest round zero: a scene that is seen from far out is traced relative to its eye. Whole numbers
+// keep round coordinates exact.
+constexpr double far_from_origin = 64;
+Vec3 origin_for(Vec3 eye) {
+  if (max_component(abs(eye)) <= far_from_origin) return {};
+  return {std::round(eye.x), std::round(eye.y), std::round(eye.z)};
+}
+
 FrameCamera make_camera(const Scene& scene) {
   const Camera& c = scene.camera;
   const Settings& settings = scene.settings;
@@ -16,7 +24,7 @@ FrameCamera make_camera(const Scene& scene) {
   const double per_y = 2 * half_view / (corner_to_corner ? std::max(settings.height - 1, 1) : shorter);
   const double columns = corner_to_corner ? settings.width - 1 : settings.width;
   const double rows = corner_to_corner ? settings.height - 1 : settings.height;
-  set3(camera.eye, c.eye);
+  set3(camera.eye, c.eye - origin_for(c.eye));
   set3(camera.per_x, c.right * per_x);
   set3(camera.per_y, c.up * -per_y);
   set3(camera.corner, c.right * (-0.5 * columns * per_x) + c.up * (0.5 * rows * per_y) - c.back);
@@ -35,11 +43,11 @@ FrameCamera make_camera(const Scene& scene) {
   return camera;
 }
 
-FrameLight make_light(const Light& light) {
+FrameLight make_light(const Light& light, Vec3 origin) {
   FrameLight made;
   const auto set = [&](const auto& l) {
     set3(made.color, l.color);
-    made.hold(frame_light(l));
+    made.hold(frame_light(l, origin));
   };
   std::visit(set, light);
   made.has_area = with_light(made, [](const auto& l) { return l.has_area; });
@@ -90,6 +98,7 @@ Frame make_frame(const Scene& scene, int threads) {
   world_options.shutter_open = scene.camera.shutter_open;
   world_options.shutter_close = scene.camera.shutter_close;
   world_options.threads = threads;
+  world_options.origin = origin_for(scene.camera.eye);
   return make_frame(scene, build_world(scene, world_options));
 }
 
@@ -97,11 +106,12 @@ Frame make_frame(const Scene& scene, World world) {
   const Settings& settings = scene.settings;
   Frame frame;
   frame.world = std::move(world);
+  frame.origin = origin_for(scene.camera.eye);
   frame.camera = make_camera(scene);
   set3(frame.background, scene.background);
   bool any_area = false;
   for (const Light& light : scene.lights) {
-    FrameLight& added = frame.lights.emplace_back(make_light(light));
+    FrameLight& added = frame.lights.emplace_back(make_light(light, frame.origin));
     added.first_of_area = added.has_area && !any_area;
     any_area |= added.has_area;
   }
@@ -113,9 +123,7 @@ Frame make_frame(const Scene& scene, World world) {
                                      size(settings.transmission_rays), size(settings.shadow_rays)},
                                     settings.seed);
   frame.color_quantum = quantum_for(largest_color(scene));
-  double reach = max_component(abs(scene.camera.eye));
-  for (const Leaf& leaf : frame.world.leaves) reach = std::max(reach, double{leaf.magnitude});
-  frame.depth_quantum = quantum_for(reach);
+  frame.depth_quantum = quantum_for(std::max(max_component(abs(scene.camera.eye - frame.origin)), frame.world.reach));
   return frame;
 }
 

@@ -40,6 +40,7 @@ inline constexpr int quantum_bits = 28;
 
 struct Frame {
   World world;
+  Vec3 origin;  // of the space that rays are traced in, in the world of the scene
   FrameCamera camera;
   float background[3];
   std::vector<FrameLight> lights;

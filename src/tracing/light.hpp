@@ -1,7 +1,7 @@
 // A light of the frame, and the list of the kinds. What is to be known of a kind is in a file of its own in
-// tracing/lights/: its numbers in single precision (frame_light), whether it has an area, the point of it that two
-// random numbers choose (point_on), and what that sends to a point (radiance). The points of a light that has an area
-// are center + s u + t v with |s| and |t| at most 1.
+// tracing/lights/: its numbers in single precision, relative to the origin of the frame (frame_light), whether it has
+// an area, the point of it that two random numbers choose (point_on), and what that sends to a point (radiance). The
+// points of a light that has an area are center + s u + t v with |s| and |t| at most 1.
 #pragma once
 
 #include <cstdint>

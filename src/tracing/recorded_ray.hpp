@@ -7,7 +7,7 @@
 
 namespace penumbra {
 
-// One ray of a sample, as it was traced.
+// One ray of a sample, as it was traced, in the space of the frame (Frame::origin).
 struct RecordedRay {
   RayKind kind;
   int depth;            // 0 for the eye ray
@@ -18,7 +18,7 @@ struct RecordedRay {
   bool hit;        // whether it hit anything; of a shadow ray, whether anything is in the way
   float distance;  // to what was hit
   std::uint32_t surface;
-  float point[3], normal[3];  // in the world; the normal is the one that shades
+  float point[3], normal[3];  // the normal is the one that shades
   float ambient[3];           // what the surface shines by itself
   std::uint32_t light;        // of a shadow ray
   float light_distance;       // to the point of the light

@@ -18,11 +18,6 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// New rays start off the surface by this share of the largest coordinate that went into the hit point, and see nothing
-// for a few times as far: where two surfaces cross, the point lies on both.
-inline constexpr float surface_offset = 1.0f / (1 << 20);
-inline constexpr float blind_distance = 4 * surface_offset;
-
 // What the eye rays saw first, for the picture's other layers.
 struct FirstHits {
   Mask found{false};
@@ -70,27 +65,66 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
   return c.sampler.pair(dimension);
 }
 
+// The largest of the coordinates and distances at hits.
+PENUMBRA_INLINE Floats scale_at(const Hits& hits) {
+  const Float3 p = hits.point;
+  return max(max(abs(p.x), abs(p.y)), max(abs(p.z), hits.distance));
+}
+
+// Where rays leave their hits on the side they came from, where that is `behind` the surface.
+PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const Material& material, Mask behind,
+                                  Floats scale) {
+  RayStart start;
+  start.place = hits.place;
+  start.previous = arrived.start ? arrived.start->place : Ints(0xffffffffu);
+  start.normal = &hits.normal;
+  start.incoming = &arrived.direction;
+  start.error = start.back = scale * Floats(rounding_share) + hits.slack;
+  start.inward = behind;
+  start.through = start.sheet = Mask(false);
+  start.opaque = Mask(true);
+  if (material.any_transmission) {
+    start.opaque = material.transmission == Floats(0);
+    start.sheet = hits.two_sided & (material.refraction_index == Floats(1));
+  }
+  return start;
+}
+
+// The same, for rays that leave on the other side in some lanes.
+PENUMBRA_INLINE RayStart start_through(const RayStart& start, Mask through) {
+  RayStart other = start;
+  other.through = through;
+  other.inward = (start.inward & ~through) | (through & ~start.inward);
+  return other;
+}
+
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
-inline Floats visibility(const TraceContext& c, const Rays& to_light, Floats distance, Mask active) {
+inline Floats visibility(const TraceContext& c, const Rays& to_light, Mask active) {
   const World& world = c.frame.world;
   c.counts[RayKind::shadow] += static_cast<std::uint64_t>(count(active));
   if (!c.frame.settings.transparent_shadows) {
-    return keep(active & ~occluded(world, to_light, distance, active), Floats(1));
+    return keep(active & ~occluded(world, to_light, to_light.light_distance, active), Floats(1));
   }
   Floats through = keep(active, Floats(1));
   Rays rays = to_light;
-  Floats left = distance;
+  RayStart start;
+  Float3 normal;
   Mask open = active;
   while (any(open)) {
-    const Hits hits = intersect(world, rays, left, open);
+    const Hits hits = intersect(world, rays, rays.light_distance, open);
     open = open & hits.found;
     if (none(open)) break;
     const Material material = material_at(c.frame, hits);
     through = select(open, through * material.transmission, through);
-    const Floats skip = hits.distance + hits.magnitude * Floats(2 * surface_offset);
-    rays.origin = select(open, rays.origin + rays.direction * skip, rays.origin);
-    left = left - keep(open, skip);
-    open = open & (through > Floats(0)) & (left > Floats(0));
+    open = open & (through > Floats(0));
+    const Floats scale = scale_at(hits);
+    const Mask behind = dot(hits.normal, rays.direction) > Floats(0);
+    start = start_through(start_at(hits, rays, material, behind, scale), Mask(true));
+    normal = hits.normal;
+    start.normal = &normal;
+    start.incoming = &to_light.direction;
+    rays.light_distance = rays.light_distance - hits.distance + start.back;
+    rays.leave(start, hits.point, scale);
   }
   return through;
 }
@@ -121,14 +155,15 @@ struct Normals {
 
 // The light that arrives from the lights.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                           const Normals& normals, int depth, TreePlace place) {
+                           const Normals& normals, const RayStart& start, Floats scale, int depth, TreePlace place) {
   const Settings& settings = c.frame.settings;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
+  RayStart start_behind;
   Rays shadow;
   shadow.time = rays.time;
-  shadow.origin = hits.point + normals.facing * (hits.magnitude * Floats(surface_offset));
-  shadow.nearest = hits.magnitude * Floats(blind_distance);
+  shadow.to_light = true;
+  shadow.leave(start, hits.point, scale);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
@@ -136,15 +171,25 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     const Floats cosine = max(toward_light, zero);
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
-    // From behind, the surface itself is in the way.
-    if (settings.shadows && !settings.transparent_shadows) {
-      lit &= (normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero;
-    }
     Floats visible = Floats(1);
     shadow.direction = sample.toward;
-    if (settings.shadows && any(lit)) {
-      shadow.coherent = !light.has_area && place == tree_root;
-      visible = visibility(c, shadow, sample.distance, lit);
+    shadow.light_distance = sample.distance;
+    if (settings.shadows) {
+      // From behind, the light comes through the surface itself.
+      const Mask through = ~((normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero);
+      Floats own = Floats(1);
+      if (settings.transparent_shadows) {
+        start_behind = start_through(start, through);
+        shadow.start = &start_behind;
+        own = select(through, material.transmission, own);
+        lit &= own > zero;
+      } else {
+        lit &= ~through;
+      }
+      if (any(lit)) {
+        shadow.coherent = !light.has_area && place == tree_root;
+        visible = own * visibility(c, shadow, lit);
+      }
     }
     c.recorder.shadow(number, shadow, sample.distance, lit, visible, depth);
     lit &= visible > zero;
@@ -182,18 +227,18 @@ struct Lobe {
   bool spread;          // whether any lane has a radius above zero
   Floats radius;
   Float3 side;  // the normal of the side they leave to
+  const RayStart& start;
   TreeStep random_step, ray_step;
 };
 
 // What the rays of a lobe bring.
-inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, const Lobe& lobe, Mask active,
-                         int depth, TreePlace place) {
+inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, Floats scale, const Lobe& lobe,
+                         Mask active, int depth, TreePlace place) {
   c.recorder.announce(lobe.kind, lobe.factor, lobe.count, depth);
   c.counts[lobe.kind] += lobe.count * static_cast<std::uint64_t>(count(active));
   Rays next;
   next.time = rays.time;
-  next.origin = hits.point + lobe.side * (hits.magnitude * Floats(surface_offset));
-  next.nearest = hits.magnitude * Floats(blind_distance);
+  next.leave(lobe.start, hits.point, scale);
   next.direction = lobe.direction;
   const TreePlace next_place = step(place, lobe.ray_step);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
@@ -210,17 +255,24 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hi
 
 // What the reflected and the transmitted rays bring.
 inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                             Float3 facing, Mask entering, int depth, TreePlace place) {
+                             Float3 facing, const RayStart& start, Floats scale, int depth, TreePlace place) {
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
-  Floats reflection = material.reflection;
+  Floats reflection = material.reflection, gloss_radius = material.gloss_radius;
+  bool any_gloss = material.any_gloss;
   Mask transmits(false);
   Float3 refracted = rays.direction;
   if (material.any_transmission) {
     const Floats index = material.refraction_index;
-    const Refraction refraction = refract(rays.direction, facing, select(entering, Floats(1) / index, index));
+    const Refraction refraction = refract(rays.direction, facing, select(start.inward, index, Floats(1) / index));
     const Mask candidates = hits.found & (material.transmission != zero);
-    reflection = select(candidates & refraction.total, reflection + material.transmission, reflection);
+    const Mask total = candidates & refraction.total;
+    reflection = select(total, reflection + material.transmission, reflection);
+    // A frosted solid is as frosted from inside.
+    if (material.any_blur && any(total)) {
+      any_gloss = true;
+      gloss_radius = select(total, max(gloss_radius, material.blur_radius), gloss_radius);
+    }
     transmits = candidates & ~refraction.total;
     refracted = select(index == Floats(1), rays.direction, refraction.direction);
   }
@@ -228,16 +280,24 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   if (any(reflects)) {
     const Float3 mirror = normalize(reflect(rays.direction, facing));
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
-    const Lobe lobe{RayKind::reflection,   reflection, count,      mirror,         material.any_gloss,
-                    material.gloss_radius, facing,     step_gloss, step_reflection};
-    sum += trace_lobe(c, rays, hits, lobe, reflects, depth, place);
+    const Lobe lobe{RayKind::reflection, reflection, count, mirror,     any_gloss,
+                    gloss_radius,        facing,     start, step_gloss, step_reflection};
+    sum += trace_lobe(c, rays, hits, scale, lobe, reflects, depth, place);
   }
   if (any(transmits)) {
     const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
-    const Lobe lobe{RayKind::transmission, material.transmission, count,   refracted,
-                    material.any_blur,     material.blur_radius,  -facing, step_blur,
+    const RayStart beyond = start_through(start, Mask(true));
+    const Lobe lobe{RayKind::transmission,
+                    material.transmission,
+                    count,
+                    refracted,
+                    material.any_blur,
+                    material.blur_radius,
+                    -facing,
+                    beyond,
+                    step_blur,
                     step_transmission};
-    sum += trace_lobe(c, rays, hits, lobe, transmits, depth, place);
+    sum += trace_lobe(c, rays, hits, scale, lobe, transmits, depth, place);
   }
   return sum;
 }
@@ -255,7 +315,9 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   }
 
   const Material material = material_at(c.frame, hits);
-  const Mask behind = hits.found & (dot(hits.normal, rays.direction) > Floats(0));
+  Mask behind = dot(hits.normal, rays.direction) > Floats(0);
+  if (rays.start) behind |= rays.start->inward & (hits.place == rays.start->place);
+  behind &= hits.found;
   Normals normals{hits.normal, hits.normal, none(behind)};
   if (!normals.same) {
     normals.facing = select(behind, -hits.normal, hits.normal);
@@ -267,9 +329,11 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
     first->albedo = material.diffuse;
   }
   c.recorder.surface(material.ambient, normals.shading, depth);
-  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, depth, place);
+  const Floats scale = scale_at(hits);
+  const RayStart start = start_at(hits, rays, material, behind, scale);
+  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, start, scale, depth, place);
   if (material.any_reflection && depth < c.frame.settings.max_depth) {
-    reflected += indirect_light(c, rays, hits, material, normals.facing, ~behind, depth, place);
+    reflected += indirect_light(c, rays, hits, material, normals.facing, start, scale, depth, place);
   }
   color += keep(hits.found, reflected);
   c.recorder.end(color, depth);

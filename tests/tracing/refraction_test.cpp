@@ -106,7 +106,7 @@ TEST(Refraction, TotalReflectionInABall) {
 }
 
 // Light that is totally reflected is spread by the gloss radius, not the blur radius: without gloss it is not spread.
-TEST(Refraction, TotalReflectionIsNotBlurred) {
+TEST(Refraction, TotalReflectionIsAsFrostedFromInside) {
   const std::string scene = look({0, 0.9, 0}, {0, 0, -1}) +
                             "rays_per_pixel 64\nmax_depth 1\nbackground 9 9 9\n"
                             "translucent 0 0 0 0 0 0 1 0 {} 1 1.5 {}\nsphere 1 0 0 0\ndiffuse 0 0 0 1 1 1\n";
@@ -114,8 +114,20 @@ TEST(Refraction, TotalReflectionIsNotBlurred) {
   const Vec3 hit{0, 0.9, -std::sqrt(1 - 0.81)};
   const Vec3 mirrored = Vec3{0, 0, -1} - hit * (2 * dot({0, 0, -1}, hit));
   const std::string target = fmt::format("sphere 0.01 {}\n", numbers(hit + mirrored * 0.5));
-  expect_color(color_of(fmt::format(fmt::runtime(scene), 0, 0.5) + target), {1, 1, 1}, 1e-6);
+  expect_color(color_of(fmt::format(fmt::runtime(scene), 0, 0) + target), {1, 1, 1}, 1e-6);
   EXPECT_LT(color_of(fmt::format(fmt::runtime(scene), 0.5, 0) + target).x, 0.5);
+  EXPECT_LT(color_of(fmt::format(fmt::runtime(scene), 0, 0.5) + target).x, 0.5);
+}
+
+// Where all that comes in is white and nothing is lost, a frosted ball is white.
+TEST(Refraction, AFrostedBallInAWhiteFurnaceIsWhite) {
+  for (const double blur : {0.5, 1.0}) {
+    const Picture3 picture = render_text(
+        fmt::format("image_size 24 24\nfov 60\neye 0 0 3\nrays_per_pixel 16\nmax_depth 100\nbackground 1 1 1\n"
+                    "translucent 0 0 0 0 0 0 1 0 0 1 1.5 {}\nsphere 1 0 0 0\n",
+                    blur));
+    EXPECT_GT(picture.mean().x, 0.9999) << blur;  // the longest ways end at max_depth
+  }
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct BoxPlanes {
 
 PENUMBRA_INLINE Crossing first_crossing(const LeafBox& box, const ShapeRays& rays) {
   const BoxPlanes planes(box, rays);
-  return first_beyond(rays.nearest, planes.enter() <= planes.leave(), {planes.enter(), planes.leave()});
+  return first_beyond(rays, planes.enter() <= planes.leave(), {planes.enter(), planes.leave()});
 }
 
 // The face is the one at that distance, and faces the ray where it enters: near an edge the point alone would not tell.

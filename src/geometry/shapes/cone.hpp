@@ -80,7 +80,7 @@ struct ConeSpans {
 PENUMBRA_INLINE Crossing first_crossing(const LeafCone& cone, const ShapeRays& rays) {
   const ConeSpans spans(cone, rays);
   const Interval inside = spans.inside();
-  return first_beyond(rays.nearest, spans.meets_side & (inside.enter <= inside.leave), inside);
+  return first_beyond(rays, spans.meets_side & (inside.enter <= inside.leave), inside);
 }
 
 // Side or cap: whichever is at that distance, as for the faces of a box. At the apex, the normal points down the axis.

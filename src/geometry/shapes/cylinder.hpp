@@ -68,16 +68,16 @@ PENUMBRA_INLINE Crossing first_crossing(const LeafCylinder& cylinder, const Shap
   const CylinderSpans spans(cylinder, rays);
   if (cylinder.capped) {
     const Interval inside = spans.inside();
-    return first_beyond(rays.nearest, spans.meets_wall & (inside.enter <= inside.leave), inside);
+    return first_beyond(rays, spans.meets_wall & (inside.enter <= inside.leave), inside);
   }
   const auto in_reach = [&](Floats t) {
     const Floats y = rays.origin.y + t * rays.direction.y;
     return (t > rays.nearest) & (y >= Floats(cylinder.y_min)) & (y <= Floats(cylinder.y_max));
   };
   const Mask on_wall = spans.meets_wall & ~spans.along_axis;
-  const Mask near_hit = on_wall & in_reach(spans.wall.enter);
+  const Mask near_hit = on_wall & in_reach(spans.wall.enter) & ~rays.inside;
   const Mask far_hit = on_wall & in_reach(spans.wall.leave);
-  return {near_hit | far_hit, select(near_hit, spans.wall.enter, spans.wall.leave)};
+  return {near_hit | far_hit, select(near_hit, spans.wall.enter, spans.wall.leave), ~near_hit};
 }
 
 PENUMBRA_INLINE SurfacePoint surface_at(const LeafCylinder& cylinder, const ShapeRays& rays, Floats distance) {

@@ -32,6 +32,7 @@ struct ShapeRays {
   Float3 origin, direction;
   Floats nearest;  // hits at this distance or nearer do not count
   bool unit;       // the directions have length one
+  Mask inside;     // start on this shape and go into it: only where they leave it counts
 
   PENUMBRA_INLINE Float3 at(Floats distance) const { return origin + direction * distance; }
 };
@@ -40,6 +41,7 @@ struct ShapeRays {
 struct Crossing {
   Mask hit;
   Floats distance;
+  Mask leaving;  // from behind the surface
 };
 
 struct SurfacePoint {
@@ -51,10 +53,12 @@ struct Interval {
   Floats enter, leave;
 };
 
-// The nearer end of what the rays have in common with a solid.
-PENUMBRA_INLINE Crossing first_beyond(Floats nearest, Mask meets, Interval inside) {
-  const Floats t = select(inside.enter > nearest, inside.enter, inside.leave);
-  return {meets & (t > nearest), t};
+// The nearer end of what the rays have in common with a solid. Rays that start on it and go into it leave it, whatever
+// rounding makes of a ray along its surface.
+PENUMBRA_INLINE Crossing first_beyond(const ShapeRays& rays, Mask meets, Interval common) {
+  const Mask leaving = ~(common.enter > rays.nearest) | rays.inside;
+  const Floats t = select(leaving, common.leave, common.enter);
+  return {(meets & (t > rays.nearest)) | rays.inside, t, leaving};
 }
 
 // Never zero, so that no distance to a plane is ever not a number.

@@ -53,9 +53,9 @@ PENUMBRA_INLINE Crossing first_crossing(const LeafSphere& sphere, const ShapeRay
   const Float3 closest = to_origin + rays.direction * approach;
   const Floats remainder = Floats(sphere.radius) * Floats(sphere.radius) - dot(closest, closest);
   const Mask meets = remainder >= Floats(0);
-  if (none(meets)) return {meets, Floats(0)};
-  const Floats half_chord = sqrt(rays.unit ? remainder : remainder * inverse_dd);
-  return first_beyond(rays.nearest, meets, {approach - half_chord, approach + half_chord});
+  if (none(meets | rays.inside)) return {meets, Floats(0), meets};
+  const Floats half_chord = sqrt(max(rays.unit ? remainder : remainder * inverse_dd, Floats(0)));
+  return first_beyond(rays, meets, {approach - half_chord, approach + half_chord});
 }
 
 PENUMBRA_INLINE SurfacePoint surface_at(const LeafSphere& sphere, const ShapeRays& rays, Floats distance) {

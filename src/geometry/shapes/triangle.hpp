@@ -135,7 +135,7 @@ PENUMBRA_INLINE Crossing cross_triangle_along(const SeenTriangle& triangle, Floa
   const Mask all_negative = (u <= zero) & (v <= zero) & (w <= zero);
   const Floats determinant = u + v + w;
   const Mask inside = (all_positive | all_negative) & (determinant != zero);
-  if (none(inside)) return {inside, zero};
+  if (none(inside)) return {inside, zero, inside};
 
   Floats t = triangle.plane.distance();
   const Mask grazing = inside & triangle.plane.grazing(direction);
@@ -143,7 +143,7 @@ PENUMBRA_INLINE Crossing cross_triangle_along(const SeenTriangle& triangle, Floa
     const Floats weighted = u * pa.distance(shear) + v * pb.distance(shear) + w * pc.distance(shear);
     t = select(grazing, weighted / determinant, t);
   }
-  return {inside & (t > nearest), t};
+  return {inside & (t > nearest), t, triangle.plane.cosine > zero};
 }
 
 PENUMBRA_INLINE Crossing cross_triangle(const SeenTriangle& triangle, Float3 direction, Floats nearest,

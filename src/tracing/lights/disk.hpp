@@ -18,13 +18,13 @@ struct FrameDiskLight {
 };
 
 // The disk's u and v make a right-handed frame with its direction (Duff et al. 2017).
-inline FrameDiskLight frame_light(const DiskLight& l) {
+inline FrameDiskLight frame_light(const DiskLight& l, Vec3 origin) {
   const Vec3 n = normalize(l.direction);
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z);
   const double b = n.x * n.y * a;
   FrameDiskLight light{};
-  set3(light.center, l.center);
+  set3(light.center, l.center - origin);
   set3(light.u, Vec3{1 + sign * n.x * n.x * a, sign * b, -sign * n.x} * l.radius);
   set3(light.v, Vec3{b, sign + n.y * n.y * a, -n.y} * l.radius);
   return light;

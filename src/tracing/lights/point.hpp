@@ -11,9 +11,9 @@ struct FramePointLight {
   float center[3];
 };
 
-inline FramePointLight frame_light(const PointLight& l) {
+inline FramePointLight frame_light(const PointLight& l, Vec3 origin) {
   FramePointLight light{};
-  set3(light.center, l.position);
+  set3(light.center, l.position - origin);
   return light;
 }
 

@@ -12,9 +12,9 @@ struct FrameQuadLight {
   float u[3], v[3];  // the half edges
 };
 
-inline FrameQuadLight frame_light(const QuadLight& l) {
+inline FrameQuadLight frame_light(const QuadLight& l, Vec3 origin) {
   FrameQuadLight light{};
-  set3(light.center, l.center);
+  set3(light.center, l.center - origin);
   set3(light.u, l.u);
   set3(light.v, l.v);
   return light;

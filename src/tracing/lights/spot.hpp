@@ -17,9 +17,9 @@ struct FrameSpotLight {
   float cosine_inner, cosine_outer;
 };
 
-inline FrameSpotLight frame_light(const SpotLight& l) {
+inline FrameSpotLight frame_light(const SpotLight& l, Vec3 origin) {
   FrameSpotLight light{};
-  set3(light.center, l.position);
+  set3(light.center, l.position - origin);
   set3(light.axis, normalize(l.direction));
   light.cosine_inner = static_cast<float>(std::cos(l.inner_degrees * std::numbers::pi / 180));
   light.cosine_outer = static_cast<float>(std::cos(l.outer_degrees * std::numbers::pi / 180));

@@ -162,10 +162,10 @@ constexpr std::array table{
             actions::stone},
 
     Command{"begin", shapes, Forms(form<>, form<ignored>),
-            "starts a triangle or a convex polygon; a word behind it is ignored", actions::begin},
+            "starts a triangle or another simple polygon; a word behind it is ignored", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
     Command{"texture_coord", shapes, takes<u, v>, "accepted, but without effect", actions::texture_coord},
-    Command{"end", shapes, none, "ends it; more than three corners are split as a fan", actions::end},
+    Command{"end", shapes, none, "ends it; it needs at least three corners", actions::end},
     Command{"sphere", shapes, takes<radius, x, y, z>, "a sphere round the point x y z", actions::sphere, no},
     Command{"moving_sphere", shapes, takes<radius, x1, y1, z1, x2, y2, z2>,
             "a sphere whose centre moves in a straight line from the first point, at time 0, to the second, at time 1",

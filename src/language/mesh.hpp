@@ -1,5 +1,5 @@
-// Mesh files: OBJ, and PLY as text or binary of either byte order. Only positions and faces are used; polygons are
-// split as fans. Nothing in a file can make the readers use more memory than a small multiple of its size.
+// Mesh files: OBJ, and PLY as text or binary of either byte order. Only positions and faces are used. Nothing in a file
+// can make the readers use more memory than a small multiple of its size.
 #pragma once
 
 #include <filesystem>

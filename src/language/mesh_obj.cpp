@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
+#include <vector>
 
 #include "language/mesh.hpp"
 #include "language/number.hpp"
+#include "language/polygon.hpp"
 #include "language/text_lines.hpp"
 #include "language/triangle_builder.hpp"
 
@@ -127,28 +128,18 @@ class ObjReader {
   }
 
   void read_face(std::string_view command, std::string_view rest) {
-    std::uint32_t first = 0, last = 0, current = 0;
-    std::uint64_t corners = 0;
     const Line face_line = line_;
+    corners_.clear();
     for (std::string_view word = take_corner(rest); !word.empty(); word = take_corner(rest)) {
-      if (!read_corner(word, current)) return;
-      if (++corners == 1) first = current;
-      if (corners > 2) add_triangle(word, first, last, current);
-      last = current;
+      if (!read_corner(word, corners_.emplace_back())) return;
     }
-    if (corners >= 3 || error_) return;
     line_ = face_line;
-    fail(command, fmt::format("a face needs at least three corners; found {}", corners));
-  }
-
-  void add_triangle(std::string_view word, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (store_.triangle_count() >= std::numeric_limits<std::uint32_t>::max()) {
-      return fail(word, "there are too many triangles");
+    if (corners_.size() < 3) {
+      return fail(command, fmt::format("a face needs at least three corners; found {}", corners_.size()));
     }
-    make_room(store_.indices, 3, progress_, indices_before_);
-    store_.indices.push_back(a);
-    store_.indices.push_back(b);
-    store_.indices.push_back(c);
+    make_room(store_.indices, 3 * (corners_.size() - 2), progress_, indices_before_);
+    std::string problem = append_polygon(store_, corners_);
+    if (!problem.empty()) fail(command, std::move(problem));
   }
 
   FileBytes& bytes_;
@@ -158,6 +149,7 @@ class ObjReader {
   const Affine& matrix_;
   TriangleStore& store_;
   std::size_t vertices_before_, indices_before_;
+  std::vector<std::uint32_t> corners_;  // of the last face
   ReadProgress progress_;
   std::optional<MeshError> error_;
 };

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "language/ply_source.hpp"
+#include "language/polygon.hpp"
 #include "language/triangle_builder.hpp"
 
 namespace penumbra {
@@ -36,8 +37,16 @@ class PlyBody {
     first_vertex_ = store_.vertices.size() / 3;
     const std::size_t indices_before = store_.indices.size();
     if (first_vertex_ + vertex_count_ > largest_index) return mesh_error("there are too many vertices");
+    std::optional<Source> early_faces;  // those before the vertices wait for them
+    bool has_vertices = false;
     for (const PlyElement& element : header_.elements) {
-      if (!read_element(element)) return std::move(error_);
+      has_vertices = has_vertices || element.name == "vertex";
+      if (element.name == "face" && !has_vertices) early_faces = source_;
+      if (!read_element(element, has_vertices)) return std::move(error_);
+    }
+    if (early_faces) {
+      source_ = *early_faces;
+      if (!read_element(*header_.find("face"), true)) return std::move(error_);
     }
     if (store_.indices.size() == indices_before) return mesh_error("this mesh has no faces");
     return std::nullopt;
@@ -63,7 +72,7 @@ class PlyBody {
     return fail(at, fmt::format("element {} of {} should have a number here", i + 1, in_quotes(element.name)));
   }
 
-  bool read_element(const PlyElement& element) {
+  bool read_element(const PlyElement& element, bool has_vertices) {
     std::size_t least = 0;
     for (const PlyProperty& p : element.properties) least += Source::least_size(p.is_list ? p.count_type : p.type);
     if (least > 0 && element.count > source_.remaining() / least) {
@@ -71,7 +80,7 @@ class PlyBody {
                                             in_quotes(element.name), source_.remaining()));
     }
     if (element.name == "vertex") return read_vertices(element, least);
-    if (element.name == "face") return read_faces(element, least);
+    if (element.name == "face" && has_vertices) return read_faces(element, least);
     if (least == 0) return true;
     for (std::uint64_t i = 0; i < element.count; i++) {
       if (!skip_properties(element, i, 0, element.properties.size())) return false;
@@ -218,17 +227,12 @@ class PlyBody {
     std::uint64_t count = 0;
     if (!read_length(element, corners.count_type, i, count)) return false;
     if (count < 3) return fail(at, fmt::format("face {} has {} corners; it needs at least three", i, count));
-    std::uint32_t first = 0, last = 0, current = 0;
+    corners_.clear();
     for (std::uint64_t k = 0; k < count; k++) {
-      if (!read_corner(element, corners.type, i, current)) return false;
-      if (k == 0) first = current;
-      if (k >= 2) {
-        if (store_.triangle_count() >= largest_index) return fail(at, "there are too many triangles");
-        for (const std::uint32_t corner : {first, last, current}) store_.indices.push_back(corner);
-      }
-      last = current;
+      if (!read_corner(element, corners.type, i, corners_.emplace_back())) return false;
     }
-    return true;
+    std::string problem = append_polygon(store_, corners_);
+    return problem.empty() || fail(at, std::move(problem));
   }
 
   bool read_corner(const PlyElement& element, PlyType type, std::uint64_t i, std::uint32_t& index) {
@@ -249,6 +253,7 @@ class PlyBody {
   TriangleStore& store_;
   std::uint64_t vertex_count_ = 0;
   std::uint64_t first_vertex_ = 0;
+  std::vector<std::uint32_t> corners_;  // of the last face
   std::optional<MeshError> error_;
 };
 

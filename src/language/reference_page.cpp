@@ -110,8 +110,9 @@ periods per unit.
 
 constexpr std::string_view about_shapes = R"(
 Every shape follows the full current matrix: a sphere under `scale 1 2 1` is an ellipsoid. The outward side of a
-triangle is the one from which its corners run counterclockwise. Polygons with more than three corners must be convex.
-At equal distances, the shape that comes first in the file is seen.
+triangle is the one from which its corners run counterclockwise. Polygons with more than three corners, also those of
+mesh files, need not be convex, but their outline should not cross itself. At equal distances, the shape that comes
+first in the file is seen.
 
 A mesh file is one object. OBJ files are recognised by their name (`.obj`), PLY files, text or binary in either byte
 order, by their first line. Only positions and faces are used; normals are those of the triangles.

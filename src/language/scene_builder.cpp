@@ -138,9 +138,8 @@ Problem SceneBuilder::end_polygon() {
   }
   const std::uint32_t first = triangles_.triangle_count();
   change();
-  const std::uint32_t count = triangles_.end_polygon(determinant(matrix()) < 0);
-  if (count == 0) return "there are too many triangles";
-  tree_.add_polygon(first, count, surface_index());
+  if (Problem wrong = triangles_.end_polygon(determinant(matrix()) < 0); !wrong.empty()) return wrong;
+  tree_.add_polygon(first, triangles_.triangle_count() - first, surface_index());
   return {};
 }
 

@@ -1,4 +1,5 @@
-// Wavefront OBJ: `v` and `f` lines. Texture coordinates, normals, groups, materials, lines and curves are skipped.
+// Wavefront OBJ: `v` and `f`. A backslash at the end of a line continues the statement on the next one. Texture
+// coordinates, normals, groups, materials, lines and curves are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ class ObjReader {
   std::optional<MeshError> read() {
     progress_.total = text_.size();
     while (!error_ && cursor_.next(line_)) {
-      read_line();
+      read_statement();
       progress_.done = text_.size() - cursor_.remaining();
       bytes_.release_before(progress_.done);
     }
@@ -56,53 +57,61 @@ class ObjReader {
   void fail(std::string_view part, std::string message) {
     error_ = MeshError{place_of(0, line_, part), std::move(message)};
   }
+  void fail_statement(std::string message) {
+    line_ = first_line_;
+    fail(command_, std::move(message));
+  }
 
-  void read_line() {
-    std::string_view rest = line_.text;
-    const std::string_view word = take_word(rest);
-    if (word.empty()) return;
-    if (word == "v") return read_vertex(word, rest);
-    if (word == "f" || word == "fo") return read_face(word, rest);
-    if (std::find(skipped.begin(), skipped.end(), word) != skipped.end()) return skip_continuation();
-    fail(word, fmt::format("{} is not a statement of an OBJ file", in_quotes(word)));
+  void read_statement() {
+    rest_ = line_.text;
+    command_ = next_word();
+    first_line_ = line_;
+    if (command_ == "v") {
+      read_vertex();
+    } else if (command_ == "f" || command_ == "fo") {
+      read_face();
+    } else if (!command_.empty() && std::find(skipped.begin(), skipped.end(), command_) == skipped.end()) {
+      fail(command_, fmt::format("{} is not a statement of an OBJ file", in_quotes(command_)));
+    }
+    while (!error_ && is_continued() && cursor_.next(line_)) continue;
   }
 
   bool is_continued() const {
     std::string_view text = line_.text;
     while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return !text.empty() && text.back() == '\\';
+    return text.ends_with('\\') && text.find('#') == text.npos;
   }
 
-  void skip_continuation() {
-    while (is_continued() && cursor_.next(line_)) continue;
+  // The next word of the statement, on the next line if this one ends with a backslash; empty at its end.
+  std::string_view next_word() {
+    while (true) {
+      std::string_view word = take_word(rest_);
+      if (!word.ends_with('\\') || !std::all_of(rest_.begin(), rest_.end(), is_blank)) return word;
+      if (word.size() > 1) {
+        rest_ = word.substr(word.size() - 1);
+        word.remove_suffix(1);
+        return word;
+      }
+      rest_ = cursor_.next(line_) ? line_.text : std::string_view();
+    }
   }
 
-  void read_vertex(std::string_view command, std::string_view rest) {
+  void read_vertex() {
     std::array<double, 3> number{};
     for (double& value : number) {
-      const std::string_view word = take_word(rest);
-      if (word.empty()) return fail(command, "`v` needs three numbers: x y z");
+      const std::string_view word = next_word();
+      if (word.empty()) return fail_statement("`v` needs three numbers: x y z");
       const NumberError error = parse_number(word, value);
       if (error == NumberError::too_large)
         return fail(word, fmt::format("the number {} is too large", in_quotes(word)));
       if (error != NumberError::none) return fail(word, fmt::format("{} is not a number", in_quotes(word)));
     }
     const Vec3 position = transform_point(matrix_, {number[0], number[1], number[2]});
-    if (!fits_single_precision(position)) return fail(command, "the current matrix moves this vertex too far away");
+    if (!fits_single_precision(position)) return fail_statement("the current matrix moves this vertex too far away");
     make_room(store_.vertices, 3, progress_, vertices_before_);
     store_.vertices.push_back(static_cast<float>(position.x));
     store_.vertices.push_back(static_cast<float>(position.y));
     store_.vertices.push_back(static_cast<float>(position.z));
-  }
-
-  // The next corner of a face, on the next line if this one ends with a backslash; empty at the end.
-  std::string_view take_corner(std::string_view& rest) {
-    std::string_view word = take_word(rest);
-    while (word == "\\" && cursor_.next(line_)) {
-      rest = line_.text;
-      word = take_word(rest);
-    }
-    return word == "\\" ? std::string_view() : word;
   }
 
   // Converts `i`, `i/t`, `i//n` or `i/t/n` to an index into the store; i counts from 1, or backwards from -1.
@@ -127,25 +136,26 @@ class ObjReader {
     return false;
   }
 
-  void read_face(std::string_view command, std::string_view rest) {
-    const Line face_line = line_;
+  void read_face() {
     corners_.clear();
-    for (std::string_view word = take_corner(rest); !word.empty(); word = take_corner(rest)) {
+    for (std::string_view word = next_word(); !word.empty(); word = next_word()) {
       if (!read_corner(word, corners_.emplace_back())) return;
     }
-    line_ = face_line;
     if (corners_.size() < 3) {
-      return fail(command, fmt::format("a face needs at least three corners; found {}", corners_.size()));
+      return fail_statement(fmt::format("a face needs at least three corners; found {}", corners_.size()));
     }
     make_room(store_.indices, 3 * (corners_.size() - 2), progress_, indices_before_);
     std::string problem = append_polygon(store_, corners_);
-    if (!problem.empty()) fail(command, std::move(problem));
+    if (!problem.empty()) fail_statement(std::move(problem));
   }
 
   FileBytes& bytes_;
   std::string_view text_;
   LineCursor cursor_;
   Line line_;
+  std::string_view command_;  // the first word of the statement
+  Line first_line_;           // where that is
+  std::string_view rest_;     // of the line, behind the words taken so far
   const Affine& matrix_;
   TriangleStore& store_;
   std::size_t vertices_before_, indices_before_;

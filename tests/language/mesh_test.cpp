@@ -80,6 +80,19 @@ TEST(Obj, splitsPolygonsAndGoesOnBehindABackslash) {
   EXPECT_EQ(scene.triangles->indices, (ZeroedVector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
+TEST(Obj, joinsLinesThatEndWithABackslash) {
+  const std::string joined = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+  const std::string split =
+      "v 0 \\\n0 0\nv\\\r\n 1 0\\ \t\r\n 0\n\\\nv 1 1 0 1 \\\n .5 .5\n# no statement: \\\nv 0 1 0 # \\\n"
+      "vt 0 \\\n 0\nusemtl \\\n\\\nf\nf 1 \\\n\\\n2/1\\\n3\nf 1 3 \\\n 4 # \\\nf 1 2 3\nf 1 2 3 \\";
+  const Scene a = mesh_scene("t.obj", joined + "f 1 2 3\nf 1 2 3\n"), b = mesh_scene("t.obj", split);
+  EXPECT_EQ(a.triangles->vertices, b.triangles->vertices);
+  EXPECT_EQ(a.triangles->indices, b.triangles->indices);
+  EXPECT_EQ(mesh_error("t.obj", "v 0 \\\n 0 x\n"), "t.obj:2:4: error: `x` is not a number\n   0 x\n     ^\n");
+  EXPECT_EQ(mesh_error("t.obj", "v 0 \\\n 0\n"), "t.obj:1:1: error: `v` needs three numbers: x y z\n  v 0 \\\n  ^\n");
+  EXPECT_EQ(mesh_error("t.obj", "v 0 \\ 0 0\n"), "t.obj:1:5: error: `\\` is not a number\n  v 0 \\ 0 0\n      ^\n");
+}
+
 TEST(Obj, countsItsVerticesFromItsOwnFirst) {
   const Scene scene =
       scene_of(light + triangle + "mesh t.obj\nmesh t.obj\n", {}, {{"t.obj", "v 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\n"}});

@@ -1,5 +1,5 @@
-// PLY, text and binary: the elements `vertex` (x, y, z) and `face` (vertex_indices); others are skipped. The layouts
-// that nearly all binary files have (float positions; one list of 32-bit indices) are read in bulk.
+// PLY, text and binary: the elements `vertex` (x, y, z), `face` and `tristrips` (vertex_indices); others are skipped.
+// The layouts that nearly all binary files have (float positions; one list of 32-bit indices) are read in bulk.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@ namespace penumbra {
 namespace {
 
 constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t restart = largest_index;  // in place of a corner, where a strip ends and another one begins
 
 // The place of a character of a text.
 SourcePlace place_in_text(std::string_view text, const char* at) {
@@ -72,6 +73,9 @@ class PlyBody {
     return fail(at, fmt::format("element {} of {} should have a number here", i + 1, in_quotes(element.name)));
   }
 
+  static bool is_strips(const PlyElement& element) { return element.name == "tristrips"; }
+  static std::string_view kind_of(const PlyElement& element) { return is_strips(element) ? "strip" : "face"; }
+
   bool read_element(const PlyElement& element, bool has_vertices) {
     std::size_t least = 0;
     for (const PlyProperty& p : element.properties) least += Source::least_size(p.is_list ? p.count_type : p.type);
@@ -80,7 +84,7 @@ class PlyBody {
                                             in_quotes(element.name), source_.remaining()));
     }
     if (element.name == "vertex") return read_vertices(element, least);
-    if (element.name == "face" && has_vertices) return read_faces(element, least);
+    if (is_strips(element) || (element.name == "face" && has_vertices)) return read_faces(element, least);
     if (least == 0) return true;
     for (std::uint64_t i = 0; i < element.count; i++) {
       if (!skip_properties(element, i, 0, element.properties.size())) return false;
@@ -176,12 +180,13 @@ class PlyBody {
     int list = element.find("vertex_indices");
     if (list < 0) list = element.find("vertex_index");
     if (list < 0 || !element.properties[static_cast<std::size_t>(list)].is_list) {
-      return fail(source_.at(), "the faces of this PLY file have no list `vertex_indices`");
+      return fail(source_.at(),
+                  fmt::format("the {}s of this PLY file have no list `vertex_indices`", kind_of(element)));
     }
     const PlyProperty& corners = element.properties[static_cast<std::size_t>(list)];
     const std::uint64_t size = least + 3 * Source::least_size(corners.type);
     store_.indices.reserve(store_.indices.size() + 3 * std::min(element.count, source_.remaining() / size + 1));
-    const bool bulk = element.properties.size() == 1 && corners.count_type == PlyType::uint8 &&
+    const bool bulk = element.properties.size() == 1 && !is_strips(element) && corners.count_type == PlyType::uint8 &&
                       (corners.type == PlyType::int32 || corners.type == PlyType::uint32);
     std::uint64_t i = 0;
     if constexpr (Source::is_binary) {
@@ -189,7 +194,8 @@ class PlyBody {
     }
     for (; i < element.count; i++) {
       const auto k = static_cast<std::size_t>(list);
-      if (!skip_properties(element, i, 0, k) || !read_face(element, corners, i) ||
+      if (!skip_properties(element, i, 0, k) ||
+          !(is_strips(element) ? read_strip(element, corners, i) : read_face(element, corners, i)) ||
           !skip_properties(element, i, k + 1, element.properties.size())) {
         return false;
       }
@@ -235,12 +241,33 @@ class PlyBody {
     return problem.empty() || fail(at, std::move(problem));
   }
 
+  // Each corner makes a triangle with the two before it, every other one the other way round. Those that only lead on,
+  // with a corner twice, are left out.
+  bool read_strip(const PlyElement& element, const PlyProperty& corners, std::uint64_t i) {
+    const char* const at = source_.at();
+    std::uint64_t count = 0, length = 0;
+    if (!read_length(element, corners.count_type, i, count)) return false;
+    std::uint32_t a = 0, b = 0, c = 0;
+    for (; count > 0; count--, a = b, b = c) {
+      if (!read_corner(element, corners.type, i, c)) return false;
+      length = c == restart ? 0 : length + 1;
+      if (length < 3 || a == b || b == c || c == a) continue;
+      if (store_.triangle_count() >= largest_index) return fail(at, "there are too many triangles");
+      const bool other_way = length % 2 == 0;
+      for (const std::uint32_t corner : {other_way ? b : a, other_way ? a : b, c}) store_.indices.push_back(corner);
+    }
+    return true;
+  }
+
   bool read_corner(const PlyElement& element, PlyType type, std::uint64_t i, std::uint32_t& index) {
     const char* const at = source_.at();
     double value = 0;
     if (!source_.read(type, value)) return fail_at_number(element, i);
+    index = restart;
+    if (is_strips(element) && value == -1) return true;
     if (!(value >= 0) || value >= static_cast<double>(vertex_count_) || value != std::floor(value)) {
-      return fail(at, fmt::format("face {} names vertex {}; there are {}, counted from 0", i, value, vertex_count_));
+      return fail(at, fmt::format("{} {} names vertex {}; there are {}, counted from 0", kind_of(element), i, value,
+                                  vertex_count_));
     }
     index = static_cast<std::uint32_t>(first_vertex_ + static_cast<std::uint64_t>(value));
     return true;
@@ -263,9 +290,8 @@ std::optional<MeshError> read_ply(std::string_view bytes, const Affine& matrix, 
   PlyHeader header;
   if (std::optional<MeshError> error = read_ply_header(bytes, header)) return error;
   if (header.find("vertex") == nullptr) return mesh_error("this PLY file has no vertices");
-  if (header.find("tristrips") != nullptr)
-    return mesh_error("triangle strips are not supported; save the mesh with faces");
-  if (header.find("face") == nullptr) return mesh_error("this mesh has no faces");
+  if (header.find("face") == nullptr && header.find("tristrips") == nullptr)
+    return mesh_error("this mesh has no faces");
   if (header.format == PlyFormat::ascii) {
     return PlyBody(bytes, header, PlyText(bytes, header.size), matrix, store).read();
   }

@@ -115,7 +115,8 @@ mesh files, need not be convex, but their outline should not cross itself. At eq
 first in the file is seen.
 
 A mesh file is one object. OBJ files are recognised by their name (`.obj`), PLY files, text or binary in either byte
-order, by their first line. Only positions and faces are used; normals are those of the triangles.
+order, by their first line. Only positions, faces and (in PLY files) triangle strips are used; normals are those of the
+triangles.
 )";
 
 constexpr std::string_view about_groups = R"(

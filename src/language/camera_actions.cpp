@@ -70,7 +70,7 @@ void rays_per_pixel(Reading& reading, const Call& call) {
 }
 
 void sampler(Reading& reading, const Call& call) {
-  const std::string_view name = call.word(0);
+  const std::string_view name = call.name(0);
   if (const std::optional<Pattern> pattern = pattern_from_name(name)) {
     reading.builder.change().settings.pattern = *pattern;
     return;

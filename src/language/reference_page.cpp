@@ -29,7 +29,8 @@ write ball.png
 
 Numbers are decimal, with or without sign, point and exponent: `2`, `-2`, `+2`, `.5`, `1e-3`. They mean the same in
 every locale. `nan`, `inf` and anything too large for single precision are errors. A number may also be an
-[`{expression}`](#expressions).
+[`{expression}`](#expressions). A name, of a file or of an object, may stand in double quotes and may then contain
+blanks: `mesh "my cube.obj"`.
 
 The file is read from top to bottom. Commands that set a state (the matrix, the surface, the camera) apply from their
 line on; a shape uses the matrix and surface that are current at its line. `write` and `render` take a picture of the

@@ -75,10 +75,10 @@ void surface_of_2018(Reading& reading, const Call& call) {
 }
 
 void highlight(Reading& reading, const Call& call) {
-  const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), call.word(0));
+  const auto found = std::find(std::begin(highlight_names), std::end(highlight_names), call.name(0));
   if (found == std::end(highlight_names)) {
     return reading.diagnostics.error(call.place_of_argument(0),
-                                     fmt::format("there is no highlight {}; there are {}", in_quotes(call.word(0)),
+                                     fmt::format("there is no highlight {}; there are {}", in_quotes(call.name(0)),
                                                  fmt::join(highlight_names, ", ")));
   }
   reading.highlight = static_cast<Highlight>(found - std::begin(highlight_names));

@@ -36,6 +36,21 @@ PENUMBRA_INLINE Crossing cross_leaf(const GroupRays& g, const Leaf& leaf, Mask a
   return with_shape(leaf, cross);
 }
 
+inline void finish_smooth_hit(const World& world, const Leaf& leaf, const ShapeRays& rays, Float3 point, Float3 normal,
+                              Mask lanes, Hits& hits) {
+  const std::uint32_t triangle = world.leaf_normals[static_cast<std::size_t>(&leaf - world.leaves.data())];
+  hits.smooth = hits.smooth & ~lanes;
+  if (triangle == TriangleRange::flat) return;
+  const float* const corners[3] = {leaf.triangle.a, leaf.triangle.b, leaf.triangle.c};
+  Corner corner[3];
+  for (std::size_t k = 0; k < 3; k++) {
+    const float* n = normal_of(*world.triangles, triangle, k);
+    corner[k] = {{Floats(corners[k][0]), Floats(corners[k][1]), Floats(corners[k][2])},
+                 {Floats(n[0]), Floats(n[1]), Floats(n[2])}};
+  }
+  hits.set_smooth(lanes, smooth_at(corner, point, normal, rays.direction));
+}
+
 // Fills in `hits` for the lanes that hit this leaf at `distance`; where `whole`, for all lanes.
 template <bool whole>
 PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes, Hits& hits) {
@@ -44,6 +59,7 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
     return surface_at(shape, rays, hits.distance);
   };
   auto [point, normal] = with_shape(leaf, at_hit);
+  if (g.world.has_normals) finish_smooth_hit(g.world, leaf, rays, point, normal, lanes, hits);
   if (leaf.placement != no_placement) {
     const Placement& placement = g.world.placements[leaf.placement];
     point = multiply(placement.linear, point) + broadcast3(placement.translation);

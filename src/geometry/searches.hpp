@@ -52,6 +52,13 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   hits.two_sided = (hits.two_sided & ~improved) | (nested.two_sided & improved);
   hits.texture_point = select(improved, nested.texture_point, hits.texture_point);
   hits.magnitude = select(improved, reach, hits.magnitude);
+  if (g.world.has_normals) {
+    hits.smooth = hits.smooth & ~improved;
+    const Mask smooth = nested.smooth & improved;
+    const SmoothPoint at{normalize(multiply_transposed(placement.inverse, nested.smooth_normal)),
+                         multiply(placement.linear, nested.lift)};
+    if (any(smooth)) hits.set_smooth(smooth, at);
+  }
   hits.found |= improved;
 }
 

@@ -1,10 +1,11 @@
-// Wavefront OBJ: `v` and `f`. A backslash at the end of a line continues the statement on the next one. Texture
-// coordinates, normals, groups, materials, lines and curves are skipped.
+// Wavefront OBJ: `v`, `vn` and `f`. A backslash at the end of a line continues the statement on the next one. Texture
+// coordinates, groups, materials, lines and curves are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <vector>
 
 #include "language/mesh.hpp"
@@ -33,14 +34,8 @@ constexpr std::array skipped{
 
 class ObjReader {
  public:
-  ObjReader(FileBytes& bytes, const Affine& matrix, TriangleStore& store)
-      : bytes_(bytes),
-        text_(bytes.view()),
-        cursor_(text_),
-        matrix_(matrix),
-        store_(store),
-        vertices_before_(store.vertices.size()),
-        indices_before_(store.indices.size()) {}
+  ObjReader(FileBytes& bytes, MeshStore& mesh)
+      : bytes_(bytes), text_(bytes.view()), cursor_(text_), mesh_(mesh), store_(mesh.store) {}
 
   std::optional<MeshError> read() {
     progress_.total = text_.size();
@@ -49,7 +44,7 @@ class ObjReader {
       progress_.done = text_.size() - cursor_.remaining();
       bytes_.release_before(progress_.done);
     }
-    if (!error_ && store_.indices.size() == indices_before_) error_ = mesh_error("this mesh has no faces");
+    if (!error_ && store_.indices.size() == mesh_.first_index) error_ = mesh_error("this mesh has no faces");
     return std::move(error_);
   }
 
@@ -68,6 +63,8 @@ class ObjReader {
     first_line_ = line_;
     if (command_ == "v") {
       read_vertex();
+    } else if (command_ == "vn" && !mesh_.flat) {
+      read_normal();
     } else if (command_ == "f" || command_ == "fo") {
       read_face();
     } else if (!command_.empty() && std::find(skipped.begin(), skipped.end(), command_) == skipped.end()) {
@@ -106,46 +103,80 @@ class ObjReader {
         return fail(word, fmt::format("the number {} is too large", in_quotes(word)));
       if (error != NumberError::none) return fail(word, fmt::format("{} is not a number", in_quotes(word)));
     }
-    const Vec3 position = transform_point(matrix_, {number[0], number[1], number[2]});
+    const Vec3 position = transform_point(mesh_.matrix, {number[0], number[1], number[2]});
     if (!fits_single_precision(position)) return fail_statement("the current matrix moves this vertex too far away");
-    make_room(store_.vertices, 3, progress_, vertices_before_);
+    make_room(store_.vertices, 3, progress_, mesh_.first_vertex);
     store_.vertices.push_back(static_cast<float>(position.x));
     store_.vertices.push_back(static_cast<float>(position.y));
     store_.vertices.push_back(static_cast<float>(position.z));
   }
 
-  // Converts `i`, `i/t`, `i//n` or `i/t/n` to an index into the store; i counts from 1, or backwards from -1.
-  bool read_corner(std::string_view word, std::uint32_t& index) {
-    const auto count = static_cast<std::int64_t>((store_.vertices.size() - vertices_before_) / 3);
+  void read_normal() {
+    std::array<double, 3> number{};
+    for (double& value : number) {
+      if (parse_number(next_word(), value) != NumberError::none) value = std::numeric_limits<double>::quiet_NaN();
+    }
+    make_room(store_.normals, 3, progress_, mesh_.first_normal);
+    mesh_.add_normal({number[0], number[1], number[2]});
+  }
+
+  // Reads the number of a vertex or a normal at `p` and converts it to one that counts from 0; in the file, it counts
+  // from 1, or backwards from -1.
+  [[gnu::always_inline]] bool read_number(std::string_view word, const char*& p, std::string_view what,
+                                          std::size_t given, std::size_t& from_zero) {
+    const auto count = static_cast<std::int64_t>(given);
     std::int64_t value = 0;
     const char* const end = word.data() + word.size();
-    const auto [p, code] = std::from_chars(word.data(), end, value);
-    if (code != std::errc{} || (p != end && *p != '/')) {
-      fail(word, fmt::format("{} is not the number of a vertex", in_quotes(word)));
+    const auto [next, code] = std::from_chars(p, end, value);
+    p = next;
+    const bool is_number = code == std::errc{} && (p == end || *p == '/');
+    if (!is_number || value == 0 || value < -count || value > count) {
+      fail(word, is_number ? fmt::format("there is no {} {}; {} have been given so far", what, value, count)
+                           : fmt::format("{} is not the number of a {}", in_quotes(word), what));
       return false;
     }
-    const std::int64_t from_zero = value > 0 ? value - 1 : value + count;
-    if (value == 0 || value < -count || from_zero >= count) {
-      fail(word, fmt::format("there is no vertex {}; {} have been given so far", value, count));
+    from_zero = static_cast<std::size_t>(value > 0 ? value - 1 : value + count);
+    return true;
+  }
+
+  // Reads `i`, `i/t`, `i//n` or `i/t/n`.
+  bool read_corner(std::string_view word) {
+    const char* p = word.data();
+    std::size_t from_zero = 0;
+    if (!read_number(word, p, "vertex", (store_.vertices.size() - mesh_.first_vertex) / 3, from_zero)) return false;
+    const std::uint64_t stored = mesh_.first_vertex / 3 + from_zero;
+    corners_.push_back(static_cast<std::uint32_t>(stored));
+    if (stored != corners_.back()) {
+      fail(word, "there are too many vertices");
       return false;
     }
-    const std::uint64_t stored = vertices_before_ / 3 + static_cast<std::uint64_t>(from_zero);
-    index = static_cast<std::uint32_t>(stored);
-    if (stored == index) return true;
-    fail(word, "there are too many vertices");
-    return false;
+    const std::size_t slash =
+        mesh_.flat || p == word.end() ? word.npos : word.find('/', static_cast<std::size_t>(p - word.data()) + 1);
+    if (slash >= word.size() - 1) return true;
+    p = word.data() + slash + 1;
+    if (!read_number(word, p, "normal", mesh_.normal_count(), from_zero)) return false;
+    if (const std::uint32_t number = mesh_.normal_number(from_zero)) normals_.push_back(number);
+    return true;
   }
 
   void read_face() {
     corners_.clear();
+    normals_.clear();
     for (std::string_view word = next_word(); !word.empty(); word = next_word()) {
-      if (!read_corner(word, corners_.emplace_back())) return;
+      if (!read_corner(word)) return;
     }
     if (corners_.size() < 3) {
       return fail_statement(fmt::format("a face needs at least three corners; found {}", corners_.size()));
     }
-    make_room(store_.indices, 3 * (corners_.size() - 2), progress_, indices_before_);
-    std::string problem = append_polygon(store_, corners_);
+    make_room(store_.indices, 3 * (corners_.size() - 2), progress_, mesh_.first_index);
+    const bool smooth = normals_.size() == corners_.size();
+    if (smooth) {
+      mesh_.fill_normal_numbers();
+      make_room(store_.normal_numbers, 3 * (corners_.size() - 2), progress_, mesh_.first_normal_number);
+    } else {
+      normals_.clear();
+    }
+    std::string problem = append_polygon(store_, corners_, normals_);
     if (!problem.empty()) fail_statement(std::move(problem));
   }
 
@@ -156,18 +187,15 @@ class ObjReader {
   std::string_view command_;  // the first word of the statement
   Line first_line_;           // where that is
   std::string_view rest_;     // of the line, behind the words taken so far
-  const Affine& matrix_;
+  MeshStore& mesh_;
   TriangleStore& store_;
-  std::size_t vertices_before_, indices_before_;
-  std::vector<std::uint32_t> corners_;  // of the last face
+  std::vector<std::uint32_t> corners_, normals_;  // of the last face
   ReadProgress progress_;
   std::optional<MeshError> error_;
 };
 
 }  // namespace
 
-std::optional<MeshError> read_obj(FileBytes& bytes, const Affine& matrix, TriangleStore& store) {
-  return ObjReader(bytes, matrix, store).read();
-}
+std::optional<MeshError> read_obj(FileBytes& bytes, MeshStore& mesh) { return ObjReader(bytes, mesh).read(); }
 
 }  // namespace penumbra

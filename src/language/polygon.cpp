@@ -22,25 +22,25 @@ double span(Point a, Point b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y)
 class View {
  public:
   View(const TriangleStore& store, std::span<const std::uint32_t> corners) : store_(store), corners_(corners) {
-    const auto corner = [&](std::size_t i) {
-      const float* p = &store.vertices[3 * std::size_t{corners[i]}];
-      return Vec3{p[0], p[1], p[2]};
-    };
-    const Vec3 origin = corner(0);
-    Vec3 area;
-    double largest = 0;
-    for (std::size_t i = 1; i + 1 < corners.size(); i++) {
-      area = area + cross(corner(i) - origin, corner(i + 1) - origin);
-      largest = std::max({largest, max_component(abs(corner(i))), max_component(abs(corner(i + 1)))});
+    const Vec3 origin = position(0);
+    Vec3 area, least, most, last = position(1) - origin;
+    for (std::size_t i = 2; i < corners.size(); i++) {
+      const Vec3 next = position(i) - origin, part = cross(last, next);
+      area = area + part;
+      least = min(least, part);
+      most = max(most, part);
+      last = next;
     }
-    rounding_ = std::max(largest, max_component(abs(origin))) / (1 << 23);
     const Vec3 size = abs(area);
     const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
     x_ = (axis + 1) % 3;
     y_ = (axis + 2) % 3;
     if (area[axis] < 0) std::swap(x_, y_);
-    flat_ = area == Vec3{};
+    is_fan_ = area == Vec3{} || (area[axis] < 0 ? most[axis] : -least[axis]) <= 0 || is_fan_but_for_rounding();
   }
+
+  // Whether no triangle of the fan from the first corner turns over.
+  bool is_fan() const { return is_fan_; }
 
   Point operator[](std::size_t i) const {
     const float* p = &store_.vertices[3 * std::size_t{corners_[i]}];
@@ -50,8 +50,16 @@ class View {
   // How far turn(a, b, p) can be from zero while p, rounded to single precision, is on a side of the triangle.
   double rounding(Point a, Point b, Point c) const { return rounding_ * (span(a, b) + span(b, c) + span(c, a)); }
 
-  bool is_fan() const {
-    if (flat_) return true;
+ private:
+  Vec3 position(std::size_t i) const {
+    const float* p = &store_.vertices[3 * std::size_t{corners_[i]}];
+    return {p[0], p[1], p[2]};
+  }
+
+  bool is_fan_but_for_rounding() {
+    double largest = 0;
+    for (std::size_t i = 0; i < corners_.size(); i++) largest = std::max(largest, max_component(abs(position(i))));
+    rounding_ = largest / (1 << 23);
     const Point a = (*this)[0];
     for (std::size_t i = 1; i + 1 < corners_.size(); i++) {
       const Point b = (*this)[i], c = (*this)[i + 1];
@@ -60,11 +68,10 @@ class View {
     return true;
   }
 
- private:
   const TriangleStore& store_;
   std::span<const std::uint32_t> corners_;
   int x_ = 0, y_ = 1;
-  bool flat_ = false;
+  bool is_fan_ = false;
   double rounding_ = 0;
 };
 
@@ -145,11 +152,15 @@ class Outline {
 
 }  // namespace
 
-std::string append_polygon(TriangleStore& store, std::span<const std::uint32_t> corners) {
+std::string append_polygon(TriangleStore& store, std::span<const std::uint32_t> corners,
+                           std::span<const std::uint32_t> normals) {
   constexpr std::size_t most_triangles = std::numeric_limits<std::uint32_t>::max();
   if (store.triangle_count() + corners.size() - 2 > most_triangles) return "there are too many triangles";
   const auto take = [&](std::size_t a, std::size_t b, std::size_t c) {
-    for (const std::size_t i : {a, b, c}) store.indices.push_back(corners[i]);
+    for (const std::size_t i : {a, b, c}) {
+      store.indices.push_back(corners[i]);
+      if (!normals.empty()) store.normal_numbers.push_back(normals[i]);
+    }
   };
   if (corners.size() == 3) return take(0, 1, 2), std::string();
   const View view(store, corners);

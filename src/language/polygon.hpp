@@ -17,8 +17,9 @@ namespace penumbra {
 // A polygon that needs ears has at most this many corners: the time grows with the square of their number.
 inline constexpr std::size_t most_concave_corners = 10'000;
 
-// Appends the n - 2 triangles of a polygon to the store, given its n >= 3 corners as vertices of the store. Returns
-// what is wrong; empty if nothing is.
-std::string append_polygon(TriangleStore& store, std::span<const std::uint32_t> corners);
+// Appends the n - 2 triangles of a polygon to the store, given its n >= 3 corners as vertices of the store and, where
+// these have normals, their numbers. Returns what is wrong; empty if nothing is.
+std::string append_polygon(TriangleStore& store, std::span<const std::uint32_t> corners,
+                           std::span<const std::uint32_t> normals = {});
 
 }  // namespace penumbra

@@ -116,8 +116,10 @@ mesh files, need not be convex, but their outline should not cross itself. At eq
 first in the file is seen.
 
 A mesh file is one object. OBJ files are recognised by their name (`.obj`), PLY files, text or binary in either byte
-order, by their first line. Only positions, faces and (in PLY files) triangle strips are used; normals are those of the
-triangles.
+order, by their first line. Positions, faces, the triangle strips of PLY files and vertex normals (`vn`; `nx`, `ny` and
+`nz`) are used. A face whose corners all have a normal shades smoothly: N is interpolated between them, also for mirrors
+and refraction. A normal that is zero or not finite leaves its faces flat, and after `mesh FILE flat` all are. Outlines
+and the shadows that fall on other objects remain those of the flat faces.
 )";
 
 constexpr std::string_view about_groups = R"(

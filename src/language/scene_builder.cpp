@@ -114,9 +114,11 @@ Problem SceneBuilder::add_unplaced_shape(const Shape& shape, Vec3 motion) {
   return {};
 }
 
-Problem SceneBuilder::add_mesh(std::uint32_t first) {
-  const std::uint32_t count = triangles_.triangle_count() - first;
-  return count == 0 ? Problem() : add_unplaced_shape(TriangleRange{first, count});
+Problem SceneBuilder::add_mesh(std::uint32_t first, std::size_t first_normal_number) {
+  TriangleRange range{first, triangles_.triangle_count() - first};
+  const bool smooth = triangles_.store()->normal_numbers.size() > first_normal_number;
+  if (smooth) range.normals = static_cast<std::uint32_t>(first_normal_number / 3);
+  return range.count == 0 ? Problem() : add_unplaced_shape(range);
 }
 
 Problem SceneBuilder::begin_polygon(const SourcePlace& place) {

@@ -36,7 +36,7 @@ std::string TriangleBuilder::end_polygon(bool mirrored) {
   corners_.resize(polygon_vertices());
   std::iota(corners_.begin(), corners_.end(), static_cast<std::uint32_t>(polygon_start_ / 3));
   std::string problem = append_polygon(*store_, corners_);
-  if (mirrored) store_->turn_from(first);
+  if (mirrored) store_->turn_from(first, store_->normal_numbers.size());
   return problem;
 }
 

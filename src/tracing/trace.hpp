@@ -128,6 +128,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   Rays shadow;
   shadow.time = rays.time;
   shadow.origin = hits.point + normals.facing * (hits.magnitude * Floats(surface_offset));
+  if (any(hits.smooth)) shadow.origin = select(hits.smooth, shadow.origin + hits.lift, shadow.origin);
   shadow.nearest = hits.magnitude * Floats(blind_distance);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
@@ -136,9 +137,10 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     const Floats cosine = max(toward_light, zero);
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
-    // From behind, the surface itself is in the way.
+    // From behind, the surface itself is in the way; where it is smooth, that is told by its smooth normal.
     if (settings.shadows && !settings.transparent_shadows) {
-      lit &= (normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero;
+      lit &=
+          (normals.same ? toward_light : select(hits.smooth, toward_light, dot(normals.facing, sample.toward))) > zero;
     }
     Floats visible = Floats(1);
     shadow.direction = sample.toward;
@@ -215,18 +217,25 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   Float3 sum{zero, zero, zero};
   Floats reflection = material.reflection;
   Mask transmits(false);
+  const bool smooth = any(hits.smooth);
+  Float3 bent = facing;  // the smooth normal, as long as it shows to the viewer
+  if (smooth) {
+    bent = select(hits.smooth & (dot(hits.smooth_normal, rays.direction) < zero), hits.smooth_normal, facing);
+  }
   Float3 refracted = rays.direction;
   if (material.any_transmission) {
     const Floats index = material.refraction_index;
-    const Refraction refraction = refract(rays.direction, facing, select(entering, Floats(1) / index, index));
+    const Refraction refraction = refract(rays.direction, bent, select(entering, Floats(1) / index, index));
     const Mask candidates = hits.found & (material.transmission != zero);
     reflection = select(candidates & refraction.total, reflection + material.transmission, reflection);
     transmits = candidates & ~refraction.total;
     refracted = select(index == Floats(1), rays.direction, refraction.direction);
+    if (smooth) refracted = select(hits.smooth, fold(refracted, -facing), refracted);
   }
   const Mask reflects = hits.found & (reflection != zero);
   if (any(reflects)) {
-    const Float3 mirror = normalize(reflect(rays.direction, facing));
+    Float3 mirror = normalize(reflect(rays.direction, bent));
+    if (smooth) mirror = select(hits.smooth, fold(mirror, facing), mirror);
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
     const Lobe lobe{RayKind::reflection,   reflection, count,      mirror,         material.any_gloss,
                     material.gloss_radius, facing,     step_gloss, step_reflection};
@@ -260,6 +269,10 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   if (!normals.same) {
     normals.facing = select(behind, -hits.normal, hits.normal);
     normals.shading = select(hits.two_sided, normals.facing, hits.normal);
+  }
+  if (any(hits.smooth)) {
+    normals.shading = select(hits.smooth, hits.smooth_normal, normals.shading);
+    normals.same = false;
   }
   if (first) {
     first->distance = hits.distance;

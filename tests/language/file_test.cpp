@@ -85,7 +85,9 @@ TEST(Name, saysWhatIsWrongWithQuotes) {
   EXPECT_EQ(told("read \"a b\".cli\n"),
             "s.cli:1:11: error: `.cli` may not follow a `\"` without a blank\n  read \"a b\".cli\n            ^~~~\n");
   EXPECT_EQ(told("mesh my cube.obj\n"),
-            "s.cli:1:9: error: `mesh` takes a file name; found 2\n  mesh my cube.obj\n          ^~~~~~~~\n");
+            "s.cli:1:9: error: only `flat` may follow the file name; found `cube.obj`\n  mesh my cube.obj\n          "
+            "^~~~~~~~\n"
+            "  a name with blanks has to stand in double quotes\n");
   EXPECT_EQ(told("read \"no thing\"\n"),
             "s.cli:1:6: error: cannot read `no thing`: no such file\n  read \"no thing\"\n       ^~~~~~~~~~\n");
   EXPECT_EQ(

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <vector>
 
@@ -122,14 +121,16 @@ class ObjReader {
 
   // Reads the number of a vertex or a normal at `p` and converts it to one that counts from 0; in the file, it counts
   // from 1, or backwards from -1.
-  [[gnu::always_inline]] bool read_number(std::string_view word, const char*& p, std::string_view what,
-                                          std::size_t given, std::size_t& from_zero) {
+  bool read_number(std::string_view word, const char*& p, std::string_view what, std::size_t given,
+                   std::size_t& from_zero) {
     const auto count = static_cast<std::int64_t>(given);
-    std::int64_t value = 0;
     const char* const end = word.data() + word.size();
-    const auto [next, code] = std::from_chars(p, end, value);
-    p = next;
-    const bool is_number = code == std::errc{} && (p == end || *p == '/');
+    const bool backwards = p != end && *p == '-';
+    const char* const digits = p + backwards;
+    std::int64_t value = 0;
+    for (p = digits; p != end && *p >= '0' && *p <= '9' && p - digits < 18; p++) value = 10 * value + (*p - '0');
+    if (backwards) value = -value;
+    const bool is_number = p != digits && (p == end || *p == '/');
     if (!is_number || value == 0 || value < -count || value > count) {
       fail(word, is_number ? fmt::format("there is no {} {}; {} have been given so far", what, value, count)
                            : fmt::format("{} is not the number of a {}", in_quotes(word), what));

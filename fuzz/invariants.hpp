@@ -18,6 +18,9 @@ inline void require_sound(const TriangleStore& store) {
   require(store.vertices.size() % 3 == 0 && store.indices.size() % 3 == 0);
   for (const float value : store.vertices) require(std::isfinite(value));
   for (const std::uint32_t index : store.indices) require(index < store.vertices.size() / 3);
+  require(store.normals.size() % 3 == 0 && store.normal_numbers.size() % 3 == 0);
+  for (const float value : store.normals) require(std::abs(value) <= 1);
+  for (const std::uint32_t number : store.normal_numbers) require(number <= store.normals.size() / 3);
 }
 
 template <AnalyticShape Shape>
@@ -34,6 +37,8 @@ inline void require_sound(const Scene& scene, const Object& object, std::size_t 
   if (const auto* range = std::get_if<TriangleRange>(&object.shape)) {
     require(range->count > 0);
     require(std::size_t{range->first} + range->count <= scene.triangles->triangle_count());
+    require(range->normals == TriangleRange::flat ||
+            3 * (std::size_t{range->normals} + range->count) <= scene.triangles->normal_numbers.size());
   } else if (const auto* instance = std::get_if<Instance>(&object.shape)) {
     require(instance->definition < definitions);
     return;

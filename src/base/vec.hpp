@@ -63,6 +63,13 @@ inline Affine operator*(const Affine& outer, const Affine& inner) {
 
 inline double determinant(const Affine& m) { return dot(m.column[0], cross(m.column[1], m.column[2])); }
 
+// Along a normal of what the map makes of a surface, on the same side: the inverse transpose times a positive factor.
+inline Vec3 transform_normal(const Affine& m, Vec3 n) {
+  const Vec3 along = cross(m.column[1], m.column[2]) * n.x + cross(m.column[2], m.column[0]) * n.y +
+                     cross(m.column[0], m.column[1]) * n.z;
+  return determinant(m) < 0 ? -along : along;
+}
+
 // The inverse map. The determinant must not be zero.
 inline Affine inverse(const Affine& m) {
   const double det = determinant(m);

@@ -56,6 +56,7 @@ class WorldBuilder {
   World build() {
     world_.groups.resize(1);
     build_group(0, scene_.root.objects, options_.origin);
+    if (world_.has_normals) world_.leaf_normals.resize(world_.leaves.size(), TriangleRange::flat);
     return std::move(world_);
   }
 
@@ -75,6 +76,7 @@ class WorldBuilder {
       std::uint32_t surface;
     };
     std::vector<Run> runs;
+    std::vector<std::uint32_t> normals;  // as World::leaf_normals; those missing at the end are flat
   };
 
   void build_group(std::uint32_t group, const std::vector<Object>& objects, Vec3 origin) {
@@ -95,6 +97,10 @@ class WorldBuilder {
       if (leaf.kind == LeafKind::instance) {
         leaf.first_place = first_leaf + places - group_first_leaf_[leaf.target];
         places += group_places_[leaf.target];
+      }
+      if (item.leaf < parts.normals.size() && parts.normals[item.leaf] != TriangleRange::flat) {
+        world_.leaf_normals.resize(world_.leaves.size() - 1, TriangleRange::flat);
+        world_.leaf_normals.push_back(parts.normals[item.leaf]);
       }
       bounds = include(bounds, item.bounds);
     }
@@ -214,6 +220,7 @@ class WorldBuilder {
   void add_triangles(GroupParts& parts, TriangleRange range, std::uint32_t surface, Vec3 motion) {
     world_.triangle_count += range.count;
     remember_texture(surface);
+    world_.has_normals |= range.normals != TriangleRange::flat;
     const std::uint32_t order = parts.order;
     parts.order += range.count;
     if (motion == Vec3{}) {
@@ -249,7 +256,10 @@ class WorldBuilder {
   }
 
   static bool follows(const GroupParts::Run& a, const GroupParts::Run& b) {
-    return b.range.first == a.range.first + a.range.count && b.order == a.order + a.range.count;
+    const std::uint32_t normals =
+        a.range.normals == TriangleRange::flat ? a.range.normals : a.range.normals + a.range.count;
+    return b.range.first == a.range.first + a.range.count && b.order == a.order + a.range.count &&
+           b.range.normals == normals;
   }
 
   void add_mesh(GroupParts& parts, const std::vector<GroupParts::Run>& runs, Vec3 motion) {
@@ -259,7 +269,7 @@ class WorldBuilder {
       const GroupParts::Run& run = runs[i];
       const bool joins = i > 0 && follows(runs[i - 1], run);
       if (!joins) {
-        mesh.chunks.push_back({run.range.first, run.order, run.surface, {}});
+        mesh.chunks.push_back({run.range.first, run.order, run.range.normals, run.surface, {}});
         ranges.push_back({run.range.first, 0});
       }
       MeshChunk& chunk = mesh.chunks.back();
@@ -295,6 +305,11 @@ class WorldBuilder {
       leaf.order = touch_order(leaf.passage, run.order + i);
       const Bounds bounds = include(include({a, a}, b), c);
       add_ordered_leaf(parts, leaf, bounds, motion, shape_cost, 0);
+      const std::uint32_t normals = run.range.normals + i;
+      if (run.range.normals == TriangleRange::flat || scene_.triangles->normal_numbers[3 * std::size_t{normals}] == 0)
+        continue;
+      parts.normals.resize(parts.leaves.size() - 1, TriangleRange::flat);
+      parts.normals.push_back(normals);
     }
   }
 

@@ -45,6 +45,24 @@ PENUMBRA_INLINE Crossing cross_leaf(const GroupRays& g, const Leaf& leaf, const 
   return with_shape(leaf, cross);
 }
 
+// Fills in what is smooth of a hit, where leaf `index` is a triangle whose corners have normals.
+inline void finish_smooth_hit(const GroupRays& g, std::uint32_t index, const SurfacePoint& surface, Mask lanes,
+                              Hits& hits) {
+  const World& world = g.world;
+  const Leaf& leaf = world.leaves[index];
+  const std::uint32_t triangle = world.leaf_normals[index];
+  hits.smooth = hits.smooth & ~lanes;
+  if (triangle == TriangleRange::flat) return;
+  const float* const corners[3] = {leaf.triangle.a, leaf.triangle.b, leaf.triangle.c};
+  Corner corner[3];
+  for (std::size_t k = 0; k < 3; k++) {
+    const float* n = normal_of(*world.triangles, triangle, k);
+    corner[k] = {{Floats(corners[k][0]), Floats(corners[k][1]), Floats(corners[k][2])},
+                 {Floats(n[0]), Floats(n[1]), Floats(n[2])}};
+  }
+  hits.set_smooth(lanes, smooth_at(corner, surface.point, surface.normal, g.rays.direction));
+}
+
 // The surface of a leaf at `distance`, before its motion.
 PENUMBRA_INLINE SurfacePoint surface_of(const GroupRays& g, const Leaf& leaf, Floats distance) {
   const ShapeRays rays = rays_of_shape(g, leaf, g.rays.nearest, Mask(false));
@@ -64,7 +82,8 @@ PENUMBRA_INLINE SurfacePoint surface_of(const GroupRays& g, const Leaf& leaf, Fl
 template <bool whole>
 PENUMBRA_INLINE void finish_hit(const GroupRays& g, std::uint32_t index, Mask lanes, Hits& hits) {
   const Leaf& leaf = g.world.leaves[index];
-  auto [point, normal] = surface_of(g, leaf, hits.distance);
+  const SurfacePoint surface = surface_of(g, leaf, hits.distance);
+  Float3 point = surface.point;
   const auto set = [&](auto& field, auto value) {
     if constexpr (whole) {
       field = value;
@@ -75,7 +94,8 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, std::uint32_t index, Mask la
   if (g.world.has_textures) set(hits.texture_point, point + broadcast3(g.origin));
   if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
   set(hits.point, point);
-  set(hits.normal, normal);
+  set(hits.normal, surface.normal);
+  if (g.world.has_normals) finish_smooth_hit(g, index, surface, lanes, hits);
   set(hits.surface, Ints(leaf.target));
   set(hits.place, Ints(g.rays.first_place + index));
   set(hits.slack, Floats(leaf.slack));

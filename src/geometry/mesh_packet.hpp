@@ -90,6 +90,28 @@ inline MeshTriangles triangles_found(const World& world, const Leaf& leaf, const
   return {corner_at(0), corner_at(1), corner_at(2), load(surface), load(order)};
 }
 
+// Fills in the normals of the corners for the lanes that have them, and tells which.
+inline Mask normals_found(const World& world, const Mesh& mesh, const std::uint32_t* geometry,
+                          const std::uint32_t* primitive, Mask lanes, Corner (&corners)[3]) {
+  alignas(64) float normal[9][lane_count] = {};
+  std::uint32_t smooth = 0;
+  for (std::uint32_t open = bits(lanes); open != 0; open &= open - 1) {
+    const int lane = __builtin_ctz(open);
+    const MeshChunk& chunk = mesh.chunks[geometry[lane]];
+    if (chunk.normals == TriangleRange::flat) continue;
+    const std::size_t triangle = std::size_t{chunk.normals} + primitive[lane];
+    if (world.triangles->normal_numbers[3 * triangle] == 0) continue;
+    smooth |= 1u << lane;
+    for (std::size_t k = 0; k < 3; k++) {
+      const float* n = normal_of(*world.triangles, triangle, k);
+      for (std::size_t axis = 0; axis < 3; axis++) normal[3 * k + axis][lane] = n[axis];
+    }
+  }
+  for (int k = 0; k < 3; k++)
+    corners[k].normal = {load(normal[3 * k]), load(normal[3 * k + 1]), load(normal[3 * k + 2])};
+  return mask_from_bits(smooth);
+}
+
 // What Embree finds, for each lane.
 struct EmbreeHits {
   alignas(64) std::uint32_t geometry[lane_count];
@@ -160,6 +182,12 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   hits.slack = select(nearer, Floats(leaf.slack), hits.slack);
   hits.two_sided |= nearer;
   hits.found |= nearer;
+  if (world.has_normals) {
+    Corner corners[3] = {{triangles.a, {}}, {triangles.b, {}}, {triangles.c, {}}};
+    const Mask smooth = normals_found(world, mesh, query.geometry, query.primitive, nearer, corners);
+    hits.smooth = hits.smooth & ~nearer;
+    if (any(smooth)) hits.set_smooth(smooth, smooth_at(corners, point, normal, rays.direction));
+  }
   return nearer;
 }
 

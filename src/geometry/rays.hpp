@@ -3,6 +3,7 @@
 
 #include "base/lane_math.hpp"
 #include "geometry/ray_start.hpp"
+#include "geometry/smooth_triangle.hpp"
 #include "geometry/world.hpp"
 
 namespace penumbra::PENUMBRA_KERNEL {
@@ -40,15 +41,25 @@ struct Hits {
   Ints surface;
   Mask two_sided;        // a triangle: shading turns its normal to the viewer
   Float3 texture_point;  // in the space where the shape was defined; where the world has textures
+  Mask smooth;           // a triangle whose corners have normals; where the world has such
+  Float3 smooth_normal;  // there, for the side that the ray comes from: of unit length in the world
+  Float3 lift;           // and from the point to where shadow rays start (geometry/smooth_triangle.hpp)
   Ints place;            // of the leaf among all leaves of all instances
   Floats slack;          // Leaf::slack
 
-  PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false) {}
+  PENUMBRA_INLINE explicit Hits(Floats farthest) : distance(farthest), order(0u), found(false), smooth(false) {}
+
+  // For lanes that hit a triangle whose corners have normals.
+  PENUMBRA_INLINE void set_smooth(Mask lanes, const SmoothPoint& at) {
+    smooth |= lanes;
+    smooth_normal = select(lanes, at.normal, smooth_normal);
+    lift = select(lanes, at.lift, lift);
+  }
 
   // Defines what is known of hits only.
   PENUMBRA_INLINE void clear() {
     const Float3 zero{0.0f, 0.0f, 0.0f};
-    point = normal = texture_point = zero;
+    point = normal = texture_point = smooth_normal = lift = zero;
     surface = Ints(0u);
     place = Ints(0u);
     slack = Floats(0);

@@ -71,6 +71,13 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   hits.texture_point = select(improved, nested.texture_point, hits.texture_point);
   hits.place = select(improved, nested.place, hits.place);
   hits.slack = select(improved, slack, hits.slack);
+  if (g.world.has_normals) {
+    hits.smooth = hits.smooth & ~improved;
+    const Mask smooth = nested.smooth & improved;
+    const SmoothPoint at{normalize(multiply_transposed(placement.inverse, nested.smooth_normal)),
+                         multiply(placement.linear, nested.lift)};
+    if (any(smooth)) hits.set_smooth(smooth, at);
+  }
   hits.found |= improved;
 }
 

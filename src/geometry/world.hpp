@@ -51,10 +51,11 @@ struct WorldGroup {
 
 // Triangles of the store that follow each other both there and in the order of the file.
 struct MeshChunk {
-  std::uint32_t first = 0;              // triangle of the store
-  std::uint32_t order = 0;              // of the first triangle; the next ones count up
-  std::uint32_t surface = 0;            // of all of them, where `surfaces` is empty
-  std::vector<std::uint32_t> surfaces;  // one for each triangle, where they differ
+  std::uint32_t first = 0;                      // triangle of the store
+  std::uint32_t order = 0;                      // of the first triangle; the next ones count up
+  std::uint32_t normals = TriangleRange::flat;  // as of a range
+  std::uint32_t surface = 0;                    // of all of them, where `surfaces` is empty
+  std::vector<std::uint32_t> surfaces;          // one for each triangle, where they differ
 };
 
 // One Embree scene: a long run of static triangles; Embree's geometry k is chunk k.
@@ -72,6 +73,9 @@ struct World {
   std::vector<Mesh> meshes;
   std::shared_ptr<const TriangleStore> triangles;
   bool has_textures = false;  // texture points are wanted
+  bool has_normals = false;   // some triangles have vertex normals
+  // For each leaf, if some have: the place of a triangle in the store's `normal_numbers`, in triangles; else `flat`.
+  ZeroedVector<std::uint32_t> leaf_normals;
 
   double reach = 0;  // the largest coordinate, in absolute value, that any hit may have
 

@@ -64,7 +64,7 @@ void shutter(Reading& reading, const Call& call) {
 }
 
 void sampler(Reading& reading, const Call& call) {
-  const std::string_view name = call.word(0);
+  const std::string_view name = call.name(0);
   if (const std::optional<Pattern> pattern = value_named<Pattern>(name, pattern_names)) {
     reading.builder.change().settings.pattern = *pattern;
     return;

@@ -13,7 +13,7 @@ namespace {
 
 std::string what_a_form_takes(const Form& form) {
   if (form.count() == 0) return "nothing";
-  if (form.argument[0].kind == Kind::file) return "a file name";
+  if (form.argument[0].kind == Kind::file) return form.count() == 1 ? "a file name" : "a file name and `flat`";
   if (form.argument[0].kind == Kind::name) return "a name";
   return fmt::format("{} {}: {}", form.count(), form.count() == 1 ? "number" : "numbers", argument_names(form));
 }

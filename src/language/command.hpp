@@ -65,7 +65,11 @@ struct Call {
   double operator[](int i) const { return number[static_cast<std::size_t>(i)]; }
   int whole(int i) const { return static_cast<int>(number[static_cast<std::size_t>(i)]); }
   Vec3 vec(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
+  // An argument as it stands in the file, and a name without its quotes.
   std::string_view word(int i) const { return words.word[static_cast<std::size_t>(i) + 1]; }
+  std::string_view name(int i) const {
+    return word(i).front() == '"' ? word(i).substr(1, word(i).size() - 2) : word(i);
+  }
   SourcePlace place() const { return place_of(visit, line, words.word[0]); }
   SourcePlace place_of_argument(int i) const { return place_of(visit, line, word(i)); }
 };

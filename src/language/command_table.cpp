@@ -46,6 +46,7 @@ constexpr Argument ax = number("ax"), ay = number("ay"), az = number("az");
 constexpr Argument file = {.name = "file", .kind = Kind::file};
 constexpr Argument name = {.name = "name", .kind = Kind::name};
 constexpr Argument year = {.name = "year", .kind = Kind::name}, ignored = {.name = "word", .kind = Kind::name};
+constexpr Argument flat = {.name = "`flat`", .kind = Kind::name};
 constexpr Argument which = {.name = "blinn|phong", .kind = Kind::name};
 constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
 constexpr Argument rays = whole("n", 1, most_rays_per_pixel), depth = whole("n", 0, most_depth),
@@ -166,10 +167,10 @@ constexpr std::array table{
             actions::stone},
 
     Command{"begin", shapes, either<form<>, form<ignored>>,
-            "starts a triangle or a convex polygon; a word behind it is ignored", actions::begin},
+            "starts a triangle or another simple polygon; a word behind it is ignored", actions::begin},
     Command{"vertex", shapes, takes<x, y, z>, "one corner of it", actions::vertex},
     Command{"texture_coord", shapes, takes<u, v>, "accepted, but without effect", actions::texture_coord},
-    Command{"end", shapes, none, "ends it; more than three corners are split as a fan", actions::end},
+    Command{"end", shapes, none, "ends it; it needs at least three corners", actions::end},
     Command{"sphere", shapes, takes<radius, x, y, z>, "a sphere round the point x y z", actions::sphere, no},
     Command{"moving_sphere", shapes, takes<radius, x1, y1, z1, x2, y2, z2>,
             "a sphere whose centre moves in a straight line from the first point, at time 0, to the second, at time 1",
@@ -183,9 +184,9 @@ constexpr std::array table{
     Command{"cone", shapes, takes<x, y, z, cone_height, cone_slope>,
             "a cone that opens upwards from its apex x y z; at the height h its radius is k*h, and it is closed there",
             actions::cone, no},
-    Command{"mesh", shapes, takes<file>,
+    Command{"mesh", shapes, Forms(form<file>, form<file, flat>),
             "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that "
-            "names it",
+            "names it; flat: without its vertex normals",
             actions::mesh, no},
 
     Command{"moving_object", groups, takes<dx, dy, dz>,

@@ -5,15 +5,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
+#include <vector>
+
+#include "language/near_word.hpp"
 
 namespace penumbra {
 namespace {
 
 constexpr std::size_t smallest_mapped = std::size_t{16} << 20;
 constexpr std::size_t release_step = std::size_t{16} << 20;
+constexpr std::size_t most_names = 10'000;  // of a folder, when a near one is looked for
 
 // Closes a descriptor at the end of a scope.
 struct Descriptor {
@@ -42,9 +47,27 @@ std::string read_all(int descriptor, std::size_t size, int& error_code) {
 
 LoadedFile failure(std::string problem) { return {{}, {}, std::move(problem)}; }
 
+// The name of the file in the folder of `path` that was probably meant; empty if none is near.
+std::string near_file(const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (std::filesystem::directory_iterator at(folder, error), end; at != end && names.size() < most_names;
+       at.increment(error)) {
+    if (at->is_regular_file(error)) names.push_back(at->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return std::string(nearest_word(path.filename().string(), {names.begin(), names.end()}));
+}
+
 LoadedFile load(const std::filesystem::path& path, bool may_map) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (file.number < 0) return failure(system_message(errno));
+  if (file.number < 0) {
+    const int code = errno;
+    LoadedFile missing = failure(system_message(code));
+    if (code == ENOENT) missing.near = near_file(path);
+    return missing;
+  }
   struct stat status {};
   if (::fstat(file.number, &status) != 0) return failure(system_message(errno));
   if (S_ISDIR(status.st_mode)) return failure("it is a folder");

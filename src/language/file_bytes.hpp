@@ -44,6 +44,7 @@ struct LoadedFile {
   FileBytes bytes;
   std::string identity;  // equal for two paths that lead to the same file
   std::string problem;   // why it could not be read; empty if it was
+  std::string near;      // a file of the same folder whose name is near, where there is none of this name
 };
 
 using FileLoader = std::function<LoadedFile(const std::filesystem::path&)>;

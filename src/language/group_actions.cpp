@@ -29,25 +29,25 @@ void end_group(Reading& reading, const Call& call) {
 
 void named_object(Reading& reading, const Call& call) {
   const auto& names = reading.builder.tree().names;
-  if (const auto found = names.find(call.word(0)); found != names.end()) {
+  if (const auto found = names.find(call.name(0)); found != names.end()) {
     const SourcePlace& first = found->second.place;
     return reading.error(call.place_of_argument(0), "the name {} is used twice; first at {}:{}",
-                         in_quotes(call.word(0)), reading.diagnostics.file_of(first), first.line);
+                         in_quotes(call.name(0)), reading.diagnostics.file_of(first), first.line);
   }
-  reading.report(call.place(), reading.builder.name_last(call.word(0), call.place_of_argument(0)));
+  reading.report(call.place(), reading.builder.name_last(call.name(0), call.place_of_argument(0)));
 }
 
 void instance(Reading& reading, const Call& call) {
   const auto& names = reading.builder.tree().names;
-  if (names.find(call.word(0)) == names.end()) {
+  if (names.find(call.name(0)) == names.end()) {
     std::vector<std::string_view> known;
     known.reserve(names.size());
     for (const auto& [name, named] : names) known.push_back(name);
     return reading.diagnostics.error(call.place_of_argument(0),
-                                     fmt::format("there is no object with the name {}", in_quotes(call.word(0))),
-                                     did_you_mean(nearest_word(call.word(0), known)));
+                                     fmt::format("there is no object with the name {}", in_quotes(call.name(0))),
+                                     did_you_mean(nearest_word(call.name(0), known)));
   }
-  reading.report(call.place(), reading.builder.add_instance(call.word(0)));
+  reading.report(call.place(), reading.builder.add_instance(call.name(0)));
 }
 
 }  // namespace penumbra::actions

@@ -66,18 +66,23 @@ void wrong_count(Reading& reading, const Command& command, const Line& line, std
                 what_it_takes(command), found);
 }
 
+// Reports what is attached to the closing brace or quote of a word.
+bool ends_well(Reading& reading, const Call& call, int i) {
+  const std::string_view word = call.word(i);
+  const char closer = closer_of(word.front());
+  const std::string_view behind = word.substr(word.find(closer, 1) + 1);
+  if (behind.empty()) return true;
+  reading.diagnostics.error(place_of(call.visit, call.line, behind),
+                            fmt::format("{} may not follow a `{}` without a blank", in_quotes(behind), closer));
+  return false;
+}
+
 // Reads a number written as `{expression}`.
 bool read_expression(Reading& reading, const Call& call, int i, double& value) {
   reading.varies = true;
   const std::string_view word = call.word(i);
-  const std::size_t brace = word.find('}');
-  if (brace + 1 != word.size()) {
-    const std::string_view behind = word.substr(brace + 1);
-    reading.error(place_of(call.visit, call.line, behind), "{} may not follow a `}}` without a blank",
-                  in_quotes(behind));
-    return false;
-  }
-  const std::string_view text = word.substr(1, brace - 1);
+  if (!ends_well(reading, call, i)) return false;
+  const std::string_view text = word.substr(1, word.size() - 2);
   if (const auto wrong = reading.expressions.evaluate(text, value)) {
     const std::string_view part = wrong->part.empty() ? word : wrong->part;
     reading.diagnostics.error(place_of(call.visit, call.line, part), wrong->sentence, wrong->hint);
@@ -124,12 +129,21 @@ bool read_number(Reading& reading, Call& call, int i) {
   return false;
 }
 
-// An unclosed expression swallows the words after it, so it is reported before the words are counted.
-bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit, const Words& words) {
+bool read_name(Reading& reading, const Call& call, int i) {
+  if (call.word(i).front() != '"') return true;
+  if (!ends_well(reading, call, i)) return false;
+  if (!call.name(i).empty()) return true;
+  reading.diagnostics.error(call.place_of_argument(i), "there is nothing between these quotes");
+  return false;
+}
+
+// An unclosed expression or name swallows the words after it, so it is reported before the words are counted.
+bool has_open_word(Reading& reading, const Line& line, std::uint32_t visit, const Words& words, char opener) {
   for (int i = 1; i < std::min(words.count, Words::most); i++) {
     const std::string_view word = words.word[static_cast<std::size_t>(i)];
-    if (word.front() != '{' || word.find('}') != word.npos) continue;
-    reading.diagnostics.error(place_of(visit, line, word.substr(0, 1)), "this `{` has no `}` on the same line");
+    if (word.front() != opener || word.find(closer_of(opener), 1) != word.npos) continue;
+    reading.diagnostics.error(place_of(visit, line, word.substr(0, 1)),
+                              fmt::format("this `{}` has no `{}` on the same line", opener, closer_of(opener)));
     return true;
   }
   return false;
@@ -138,7 +152,7 @@ bool has_open_expression(Reading& reading, const Line& line, std::uint32_t visit
 void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   const Form& first = command.forms.front();
   const bool numeric = first.count() > 0 && first.argument[0].is_number();
-  if (numeric && has_open_expression(reading, line, visit, words)) return;
+  if (has_open_word(reading, line, visit, words, numeric ? '{' : '"')) return;
   const Form* const form = form_with(command, words.count - 1);
   if (form == nullptr) {
     if (command.action == actions::begin) reading.stray_vertex = true;  // its vertices are not to blame
@@ -147,7 +161,8 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
   Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};
   bool right = true;
   for (int i = 0; i < form->count(); i++) {
-    if (form->argument[static_cast<std::size_t>(i)].is_number()) right = read_number(reading, call, i) && right;
+    const bool is_number = form->argument[static_cast<std::size_t>(i)].is_number();
+    right = (is_number ? read_number(reading, call, i) : read_name(reading, call, i)) && right;
   }
   if (right && !command.in_polygon && reading.builder.in_polygon()) {
     reading.error(call.place(),

@@ -29,7 +29,7 @@ void image_size(Reading& reading, const Call& call) {
   scene.settings.height = call.whole(1);
 }
 
-void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.word(0))); }
+void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.name(0))); }
 
 void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
 
@@ -58,10 +58,10 @@ void course(Reading& reading, const Call& call) {
   if (reading.commands > 0) {
     return reading.error(call.place(), "`course` has to come before every other command");
   }
-  const Course named = call.form.count() == 0 ? Course::any_year : course_of_year(call.word(0));
+  const Course named = call.form.count() == 0 ? Course::any_year : course_of_year(call.name(0));
   if (named == Course::off) {
     return reading.error(call.place_of_argument(0), "there is no course of {}; the years are {}",
-                         in_quotes(call.word(0)), years_in_words);
+                         in_quotes(call.name(0)), years_in_words);
   }
   if (reading.options.course == Course::off) set_course(reading, named);
 }

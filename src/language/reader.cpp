@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "language/near_word.hpp"
 #include "language/reading.hpp"
 #include "language/scene_file.hpp"
 
@@ -82,6 +83,11 @@ void report_order_of_2018(Reading& reading) {
                               std::string(how_to_read_2018));
 }
 
+// Offers the file whose name is near, by a path like the one that was given.
+std::string offer_near(const std::filesystem::path& given, const std::string& near) {
+  return near.empty() ? std::string() : did_you_mean((given.parent_path() / near).string());
+}
+
 }  // namespace
 
 void set_course(Reading& reading, Course course) {
@@ -94,13 +100,15 @@ void set_course(Reading& reading, Course course) {
 }
 
 std::optional<NamedFile> open_named_file(Reading& reading, const Call& call) {
-  const std::filesystem::path name(call.word(0));
+  const std::filesystem::path name(call.name(0));
   NamedFile file;
   file.path = name.is_absolute() ? name : reading.open_files.back().path.parent_path() / name;
   remember_file(reading, file.path);
   file.loaded = reading.load(file.path);
   if (!file.loaded.problem.empty()) {
-    reading.error(call.place_of_argument(0), "cannot read `{}`: {}", file.path.string(), file.loaded.problem);
+    reading.diagnostics.error(call.place_of_argument(0),
+                              fmt::format("cannot read `{}`: {}", file.path.string(), file.loaded.problem),
+                              offer_near(name, file.loaded.near));
     return std::nullopt;
   }
   if (const Problem wrong = count_file(reading, file.loaded.bytes.view().size()); !wrong.empty()) {
@@ -145,7 +153,7 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
   } else {
     result.found = false;
     reading.diagnostics.error(whole_file(reading.diagnostics.open(path.string(), {})),
-                              "cannot read this file: " + file.problem);
+                              "cannot read this file: " + file.problem, offer_near(path, file.near));
   }
   if (!reading.diagnostics.has_error()) result.actions = reading.builder.take_actions();
   result.diagnostics = reading.diagnostics.take();

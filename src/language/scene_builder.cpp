@@ -102,9 +102,11 @@ Problem SceneBuilder::add_shape(const Shape& shape, Vec3 motion, bool placed) {
   return {};
 }
 
-Problem SceneBuilder::add_mesh(std::uint32_t first) {
-  const std::uint32_t count = triangles_.triangle_count() - first;
-  return count == 0 ? Problem() : add_shape(TriangleRange{first, count}, {}, false);
+Problem SceneBuilder::add_mesh(std::uint32_t first, std::size_t first_normal_number) {
+  TriangleRange range{first, triangles_.triangle_count() - first};
+  const bool smooth = triangles_.store()->normal_numbers.size() > first_normal_number;
+  if (smooth) range.normals = static_cast<std::uint32_t>(first_normal_number / 3);
+  return range.count == 0 ? Problem() : add_shape(range, {}, false);
 }
 
 Problem SceneBuilder::begin_polygon(const SourcePlace& place) {
@@ -122,9 +124,8 @@ Problem SceneBuilder::end_polygon() {
   }
   const std::uint32_t first = triangles_.triangle_count();
   change();
-  const std::uint32_t count = triangles_.end_polygon(determinant(matrix()) < 0);
-  if (count == 0) return "there are too many triangles";
-  tree_.add_polygon(first, count, surface_index());
+  if (Problem wrong = triangles_.end_polygon(determinant(matrix()) < 0); !wrong.empty()) return wrong;
+  tree_.add_polygon(first, triangles_.triangle_count() - first, surface_index());
   return {};
 }
 

@@ -50,8 +50,8 @@ class SceneBuilder {
   // Adds a shape under the current matrix or, if it is not to be `placed`, under none; `motion` is in the space of the
   // open group.
   Problem add_shape(const Shape& shape, Vec3 motion = {}, bool placed = true);
-  // Adds the triangles from `first` to the end of the store as one object.
-  Problem add_mesh(std::uint32_t first);
+  // Adds the triangles from `first` to the end of the store as one object, and the numbers of their normals likewise.
+  Problem add_mesh(std::uint32_t first, std::size_t first_normal_number);
 
   // Polygons.
   bool in_polygon() const { return triangles_.in_polygon(); }

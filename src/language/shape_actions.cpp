@@ -112,6 +112,13 @@ void cone(Reading& reading, const Call& call) {
 }
 
 void mesh(Reading& reading, const Call& call) {
+  const bool flat = call.form.count() > 1;
+  if (flat && call.name(1) != "flat") {
+    return reading.diagnostics.error(
+        call.place_of_argument(1),
+        fmt::format("only `flat` may follow the file name; found {}", in_quotes(call.name(1))),
+        "a name with blanks has to stand in double quotes");
+  }
   std::optional<NamedFile> file = open_named_file(reading, call);
   if (!file) return;
   SceneBuilder& builder = reading.builder;
@@ -121,8 +128,10 @@ void mesh(Reading& reading, const Call& call) {
   builder.change();
   TriangleStore& store = *builder.triangles().store();
   const std::uint32_t first = builder.triangles().triangle_count();
-  const std::optional<MeshError> error = read_mesh(file->path, file->loaded.bytes, builder.matrix(), store);
-  if (!error) return reading.report(call.place(), builder.add_mesh(first));
+  const std::size_t first_normal_number = store.normal_numbers.size();
+  const std::optional<MeshError> error =
+      read_mesh(file->path, file->loaded.bytes, MeshStore(store, builder.matrix(), flat));
+  if (!error) return reading.report(call.place(), builder.add_mesh(first, first_normal_number));
   SourcePlace place = error->place;
   place.visit = reading.diagnostics.open(file->path.string(), call.place());
   reading.diagnostics.error(place, error->message);

@@ -67,9 +67,9 @@ void surface_of_2018(Reading& reading, const Call& call) {
 }
 
 void highlight(Reading& reading, const Call& call) {
-  const std::optional<Highlight> found = value_named<Highlight>(call.word(0), highlight_names);
+  const std::optional<Highlight> found = value_named<Highlight>(call.name(0), highlight_names);
   if (!found) {
-    return reading.error(call.place_of_argument(0), "there is no highlight {}; there are {}", in_quotes(call.word(0)),
+    return reading.error(call.place_of_argument(0), "there is no highlight {}; there are {}", in_quotes(call.name(0)),
                          fmt::join(highlight_names, ", "));
   }
   reading.highlight = *found;

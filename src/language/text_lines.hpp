@@ -59,15 +59,18 @@ inline std::string_view take_word(std::string_view& rest) {
   return {first, length};
 }
 
-// The same, but a word that begins with a brace extends, blanks included, to the closing brace and whatever is attached
-// to that; to the end of the line if there is none.
+// What closes a word that begins with a brace or a quote.
+inline char closer_of(char opener) { return opener == '{' ? '}' : opener; }
+
+// The same, but a word that begins with a brace or a quote extends, blanks included, to the closing one and whatever is
+// attached to that; to the end of the line if there is none. A quoted `#` is part of the word.
 inline std::string_view take_argument(std::string_view& rest) {
   while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
-  if (rest.empty() || rest.front() != '{') return take_word(rest);
-  const std::string_view text = rest.substr(0, rest.find('#'));
-  const std::size_t brace = text.find('}');
-  std::size_t length = brace != text.npos ? brace : text.size();
-  while (length < text.size() && !is_blank(text[length])) length++;
+  if (rest.empty() || (rest.front() != '{' && rest.front() != '"')) return take_word(rest);
+  const std::string_view text = rest.front() == '{' ? rest.substr(0, rest.find('#')) : rest;
+  const std::size_t closer = text.find(closer_of(text.front()), 1);
+  std::size_t length = closer != text.npos ? closer : text.size();
+  while (length < text.size() && !is_blank(text[length]) && text[length] != '#') length++;
   while (is_blank(text[length - 1])) length--;
   rest.remove_prefix(length);
   return text.substr(0, length);

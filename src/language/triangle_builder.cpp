@@ -1,6 +1,9 @@
 #include "language/triangle_builder.hpp"
 
 #include <limits>
+#include <numeric>
+
+#include "language/polygon.hpp"
 
 namespace penumbra {
 constexpr std::uint64_t largest_index = std::numeric_limits<std::uint32_t>::max();
@@ -21,20 +24,16 @@ void TriangleBuilder::abandon_polygon() {
   store_->vertices.resize(polygon_start_);
 }
 
-std::uint32_t TriangleBuilder::end_polygon(bool mirrored) {
+std::string TriangleBuilder::end_polygon(bool mirrored) {
   in_polygon_ = false;
-  const std::uint64_t first = polygon_start_ / 3;
-  const std::uint64_t count = polygon_vertices() - 2;
-  if (store_->vertices.size() / 3 > largest_index || store_->triangle_count() + count > largest_index) return 0;
-  ZeroedVector<std::uint32_t>& indices = store_->indices;
-  make_room(indices, 3 * count, progress_, indices_at_start_);
-  for (std::uint64_t i = 0; i < count; i++) {
-    indices.push_back(static_cast<std::uint32_t>(first));
-    indices.push_back(static_cast<std::uint32_t>(first + i + 1));
-    indices.push_back(static_cast<std::uint32_t>(first + i + 2));
-  }
-  if (mirrored) store_->turn_from(indices.size() - 3 * count);
-  return static_cast<std::uint32_t>(count);
+  if (store_->vertices.size() / 3 > largest_index) return "there are too many vertices";
+  const std::size_t first = store_->indices.size();
+  make_room(store_->indices, 3 * (polygon_vertices() - 2), progress_, indices_at_start_);
+  corners_.resize(polygon_vertices());
+  std::iota(corners_.begin(), corners_.end(), static_cast<std::uint32_t>(polygon_start_ / 3));
+  std::string problem = append_polygon(*store_, corners_);
+  if (mirrored) store_->turn_from(first, store_->normal_numbers.size());
+  return problem;
 }
 
 }  // namespace penumbra

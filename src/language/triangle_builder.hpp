@@ -64,10 +64,9 @@ class TriangleBuilder {
     return true;
   }
   std::uint64_t polygon_vertices() const { return (store_->vertices.size() - polygon_start_) / 3; }
-  // Splits the open polygon, which has at least three corners, as a fan. Returns the number of triangles, or 0 if the
-  // store is full. With `mirrored`, for a matrix that mirrors, the winding is reversed, which keeps the outward side
-  // outward.
-  std::uint32_t end_polygon(bool mirrored);
+  // Splits the open polygon, which has at least three corners, into triangles. Returns what is wrong, if anything. With
+  // `mirrored`, for a matrix that mirrors, the winding is reversed, which keeps the outward side outward.
+  std::string end_polygon(bool mirrored);
 
  private:
   std::shared_ptr<TriangleStore> store_;
@@ -75,6 +74,7 @@ class TriangleBuilder {
   std::size_t vertices_at_start_ = 0;
   std::size_t indices_at_start_ = 0;
   std::size_t polygon_start_ = 0;
+  std::vector<std::uint32_t> corners_;  // of the last polygon
   bool in_polygon_ = false;
 };
 

@@ -89,8 +89,10 @@ struct Cone {  // along y, from its apex upwards, capped at the top
 // file. Their positions are already in the space of the group; `group_from_object` is not applied to them.
 struct TriangleRange {
   static constexpr KindName name{"triangle", "triangles"};
+  static constexpr std::uint32_t flat = 0xffffffffu;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  std::uint32_t normals = flat;  // of the first triangle in TriangleStore::normal_numbers, where vertices have normals
 };
 
 // Places a named object: group_from_object = M_instance * (the matrix that the object was defined with).
@@ -136,10 +138,17 @@ inline KindName name_of(const Shape& shape) {
 struct TriangleStore {
   ZeroedVector<float> vertices;         // 3 floats per vertex, in the space of the group of the triangle
   ZeroedVector<std::uint32_t> indices;  // 3 per triangle; its outward normal is (B-A)x(C-A)
+  // Of meshes with vertex normals: unit vectors, and for the corners of each triangle the numbers of theirs, from 1.
+  // Where these are 0, the triangle is flat.
+  ZeroedVector<float> normals;
+  ZeroedVector<std::uint32_t> normal_numbers;
 
   // Reverses the winding of all triangles from this index on. A mirroring matrix needs it to keep them outward.
-  void turn_from(std::size_t first_index) {
+  void turn_from(std::size_t first_index, std::size_t first_normal_number) {
     for (std::size_t i = first_index; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+    for (std::size_t i = first_normal_number; i + 2 < normal_numbers.size(); i += 3) {
+      std::swap(normal_numbers[i + 1], normal_numbers[i + 2]);
+    }
   }
 
   std::size_t triangle_count() const { return indices.size() / 3; }

@@ -10,6 +10,11 @@ namespace penumbra::PENUMBRA_KERNEL {
 // d - 2 (d.n) n
 PENUMBRA_INLINE Float3 reflect(Float3 d, Float3 n) { return d - n * (Floats(2) * dot(d, n)); }
 
+// Turns back over the surface what points below it.
+PENUMBRA_INLINE Float3 fold(Float3 direction, Float3 side) {
+  return direction - side * (Floats(2) * min(dot(direction, side), Floats(0)));
+}
+
 struct Refraction {
   Float3 direction;  // unit; not a number where the reflection is total
   Mask total;
@@ -35,8 +40,7 @@ PENUMBRA_INLINE Float3 spread(Float3 direction, Floats radius, Float3 side, cons
   const Float3 u{Floats(1) + sign * direction.x * direction.x * a, sign * b, -(sign * direction.x)};
   const Float3 v{b, sign + direction.y * direction.y * a, -direction.y};
   const Float3 moved = direction + (u * ball.x + v * ball.y + direction * ball.z) * radius;
-  const Floats off_side = min(dot(moved, side), Floats(0));
-  const Float3 folded = moved - side * (Floats(2) * off_side);
+  const Float3 folded = fold(moved, side);
   const Floats length2 = dot(folded, folded);
   const Mask usable = (radius > Floats(0)) & (length2 > Floats(1e-30f));
   return select(usable, folded * (Floats(1) / sqrt(length2)), direction);

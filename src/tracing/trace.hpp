@@ -164,6 +164,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   shadow.time = rays.time;
   shadow.to_light = true;
   shadow.leave(start, hits.point, scale);
+  if (any(hits.smooth)) shadow.origin = select(hits.smooth, shadow.origin + hits.lift, shadow.origin);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
@@ -175,8 +176,10 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     shadow.direction = sample.toward;
     shadow.light_distance = sample.distance;
     if (settings.shadows) {
-      // From behind, the light comes through the surface itself.
-      const Mask through = ~((normals.same ? toward_light : dot(normals.facing, sample.toward)) > zero);
+      // From behind, the light comes through the surface itself; where it is smooth, that is told by its smooth normal.
+      Floats in_front = toward_light;
+      if (!normals.same) in_front = select(hits.smooth, toward_light, dot(normals.facing, sample.toward));
+      const Mask through = ~(in_front > zero);
       Floats own = Floats(1);
       if (settings.transparent_shadows) {
         start_behind = start_through(start, through);
@@ -261,10 +264,15 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   Floats reflection = material.reflection, gloss_radius = material.gloss_radius;
   bool any_gloss = material.any_gloss;
   Mask transmits(false);
+  const bool smooth = any(hits.smooth);
+  Float3 bent = facing;  // the smooth normal, as long as it shows to the viewer
+  if (smooth) {
+    bent = select(hits.smooth & (dot(hits.smooth_normal, rays.direction) < zero), hits.smooth_normal, facing);
+  }
   Float3 refracted = rays.direction;
   if (material.any_transmission) {
     const Floats index = material.refraction_index;
-    const Refraction refraction = refract(rays.direction, facing, select(start.inward, index, Floats(1) / index));
+    const Refraction refraction = refract(rays.direction, bent, select(start.inward, index, Floats(1) / index));
     const Mask candidates = hits.found & (material.transmission != zero);
     const Mask total = candidates & refraction.total;
     reflection = select(total, reflection + material.transmission, reflection);
@@ -275,10 +283,12 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     }
     transmits = candidates & ~refraction.total;
     refracted = select(index == Floats(1), rays.direction, refraction.direction);
+    if (smooth) refracted = select(hits.smooth, fold(refracted, -facing), refracted);
   }
   const Mask reflects = hits.found & (reflection != zero);
   if (any(reflects)) {
-    const Float3 mirror = normalize(reflect(rays.direction, facing));
+    Float3 mirror = normalize(reflect(rays.direction, bent));
+    if (smooth) mirror = select(hits.smooth, fold(mirror, facing), mirror);
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
     const Lobe lobe{RayKind::reflection, reflection, count, mirror,     any_gloss,
                     gloss_radius,        facing,     start, step_gloss, step_reflection};
@@ -322,6 +332,10 @@ inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int de
   if (!normals.same) {
     normals.facing = select(behind, -hits.normal, hits.normal);
     normals.shading = select(hits.two_sided, normals.facing, hits.normal);
+  }
+  if (any(hits.smooth)) {
+    normals.shading = select(hits.smooth, hits.smooth_normal, normals.shading);
+    normals.same = false;
   }
   if (first) {
     first->distance = hits.distance;

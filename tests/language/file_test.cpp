@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/test_folder.hpp"
 #include "support.hpp"
 
 namespace penumbra {
@@ -46,6 +47,52 @@ TEST(Read, saysWhatCannotBeRead) {
             "s.cli:1:7: error: cannot read `nothing.cli`: no such file\n  read  nothing.cli\n        ^~~~~~~~~~~\n");
   EXPECT_EQ(told("mesh nothing.obj\n"),
             "s.cli:1:6: error: cannot read `nothing.obj`: no such file\n  mesh nothing.obj\n       ^~~~~~~~~~~\n");
+}
+
+TEST(Read, offersAFileWhoseNameIsNear) {
+  const test::TestFolder folder;
+  test::put_content(folder / "cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  test::put_content(folder / "s.cli",
+                    "mesh cub.obj\nmesh ../" + folder.path().filename().string() + "/cube.objj\nmesh b.obj\n");
+  const std::string scene = folder / "s.cli";
+  const std::string text = told(read_scene(scene, {}));
+  EXPECT_NE(text.find("  mesh cub.obj\n       ^~~~~~~\n  did you mean `cube.obj`?\n"), text.npos) << text;
+  EXPECT_NE(text.find("/cube.obj`?\n"), text.npos) << text;
+  EXPECT_NE(text.find("  mesh b.obj\n       ^~~~~\n"), text.npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 6), "^~~~~\n") << "none is near";
+  EXPECT_NE(told(read_scene(folder / "ss.cli", {})).find("did you mean `" + scene + "`?\n"), text.npos);
+}
+
+TEST(Name, mayBeQuoted) {
+  const Files files = {{"my mesh #1.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}, {"a \\b.cli", ball}};
+  const SceneFile file =
+      read(light +
+               "mesh \"my mesh #1.obj\" # a comment\nread \"a \\b.cli\"\nnamed_object \"the ball\"#\n"
+               "instance \"the ball\"\nsphere 1 0 0 -4\nnamed_object ball\ninstance \"ball\"\n"
+               "write \"my picture.png\"\n",
+           {}, files);
+  EXPECT_EQ(told(file), "");
+  EXPECT_EQ(pictures(file).front().file, "my picture.png");
+  EXPECT_EQ(pictures(file).front().scene->root.objects.size(), 3u);
+}
+
+TEST(Name, saysWhatIsWrongWithQuotes) {
+  EXPECT_EQ(told("mesh \"my mesh.obj  # x\n"),
+            "s.cli:1:6: error: this `\"` has no `\"` on the same line\n  mesh \"my mesh.obj  # x\n       ^\n");
+  EXPECT_EQ(told("mesh \"\n"), "s.cli:1:6: error: this `\"` has no `\"` on the same line\n  mesh \"\n       ^\n");
+  EXPECT_EQ(told("write \"\"\n"),
+            "s.cli:1:7: error: there is nothing between these quotes\n  write \"\"\n        ^~\n");
+  EXPECT_EQ(told("read \"a b\".cli\n"),
+            "s.cli:1:11: error: `.cli` may not follow a `\"` without a blank\n  read \"a b\".cli\n            ^~~~\n");
+  EXPECT_EQ(told("mesh my cube.obj\n"),
+            "s.cli:1:9: error: only `flat` may follow the file name; found `cube.obj`\n  mesh my cube.obj\n          "
+            "^~~~~~~~\n"
+            "  a name with blanks has to stand in double quotes\n");
+  EXPECT_EQ(told("read \"no thing\"\n"),
+            "s.cli:1:6: error: cannot read `no thing`: no such file\n  read \"no thing\"\n       ^~~~~~~~~~\n");
+  EXPECT_EQ(
+      told("sphere \"1\" 0 0 0\n"),
+      "s.cli:1:8: error: `radius` of `sphere` has to be a number; found `\"1\"`\n  sphere \"1\" 0 0 0\n         ^~~\n");
 }
 
 TEST(Read, refusesAFileThatReadsItself) {

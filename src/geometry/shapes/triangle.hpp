@@ -36,6 +36,11 @@ inline Vec3 corner_of(const TriangleStore& store, std::size_t triangle, std::siz
   return {p[0], p[1], p[2]};
 }
 
+// The normal of a corner of a triangle that is not flat, by its place in `normal_numbers`.
+inline const float* normal_of(const TriangleStore& store, std::size_t triangle, std::size_t corner) {
+  return &store.normals[3 * (std::size_t{store.normal_numbers[3 * triangle + corner]} - 1)];
+}
+
 inline Bounds bounds_of(const TriangleStore& store, TriangleRange range) {
   Bounds bounds;
   for (std::size_t i = 0; i < range.count; i++) {

@@ -27,8 +27,9 @@ bool take(std::string_view& text, char letter) {
 
 std::optional<AnimationRange> range_from(std::string_view text) {
   const auto first = take_number(text);
-  if (!first || !take(text, '-')) return std::nullopt;
-  const auto last = take_number(text);
+  const bool is_one = text.empty();
+  if (!first || (!is_one && !take(text, '-'))) return std::nullopt;
+  const auto last = is_one ? first : take_number(text);
   if (!last) return std::nullopt;
   const auto step = take(text, 'x') ? take_number(text) : 1;
   if (!step || !text.empty()) return std::nullopt;
@@ -71,7 +72,7 @@ std::string parse_frames(std::string_view text, std::optional<AnimationRange>& r
   const std::optional<AnimationRange> found = range_from(text);
   if (!found) {
     return expected(text,
-                    fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
+                    fmt::format("A, A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
   }
   range = found;
   return {};

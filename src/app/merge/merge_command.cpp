@@ -4,8 +4,10 @@
 #include <sysexits.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/merge/part_files.hpp"
+#include "app/render/outputs.hpp"
 #include "base/atomic_file.hpp"
 #include "image/image_file.hpp"
 
@@ -13,6 +15,17 @@ namespace penumbra {
 namespace {
 
 void report(const std::string& sentence) { fmt::print(stderr, "penumbra: {}\n", sentence); }
+
+// The outputs, with the number of the frame where they have a place for it.
+std::vector<std::string> outputs_of(const MergeOptions& options, const Part& part) {
+  std::vector<std::string> outputs = options.outputs;
+  const std::string frame = value_of("frame", part.header().key);
+  if (frame == not_given) return outputs;
+  for (std::string& output : outputs) {
+    output = with_frame_in_pattern(output, std::atoi(frame.c_str())).value_or(output).string();
+  }
+  return outputs;
+}
 
 int merge_parts(const MergeOptions& options) {
   const PartFiles files = read_parts(options.parts);
@@ -27,7 +40,7 @@ int merge_parts(const MergeOptions& options) {
       exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
     }
   }
-  if (exit_code == 0) write_merged(files.parts, options.outputs, options.quiet);
+  if (exit_code == 0) write_merged(files.parts, outputs_of(options, files.parts.front()), options.quiet);
   return exit_code;
 }
 

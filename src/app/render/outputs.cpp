@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <regex>
 #include <string>
 
 namespace penumbra {
@@ -15,7 +17,16 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
 
 }  // namespace
 
+std::optional<std::filesystem::path> with_frame_in_pattern(const std::filesystem::path& file, int frame) {
+  const std::string name = file.filename().string();
+  std::smatch found;
+  if (!std::regex_search(name, found, std::regex("(#+)|%(0[0-9]{1,2})?d"))) return std::nullopt;
+  const int digits = found[1].matched ? static_cast<int>(found.length()) : std::atoi(found.str(2).c_str());
+  return file.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), frame, digits, found.suffix().str());
+}
+
 std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame) {
+  if (const auto numbered = with_frame_in_pattern(file, frame.frame)) return *numbered;
   const std::string name = fmt::format("{}.{:0{}}{}", file.stem().string(), frame.frame, frame_digits(frame.last),
                                        file.extension().string());
   return file.parent_path() / name;

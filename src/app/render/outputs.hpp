@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,11 @@ std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<A
                                                              const std::filesystem::path& scene,
                                                              const std::vector<std::string>& outputs);
 
-// OUT.0007.ext for OUT.ext.
+// The file with the number of the frame in place of `####` (as many digits as there are #) or `%04d` in its name; none
+// if the name has neither.
+std::optional<std::filesystem::path> with_frame_in_pattern(const std::filesystem::path& file, int frame);
+
+// The same; OUT.0007.ext for OUT.ext.
 std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame);
 
 // The number of digits of frame numbers: as many as the last frame of the animation has, but at least four.

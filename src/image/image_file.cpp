@@ -13,6 +13,7 @@
 namespace penumbra {
 
 ImageFormat format_of(const std::filesystem::path& path) {
+  if (path == standard_output) return ImageFormat::png;
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

@@ -142,9 +142,10 @@ std::string describe(const SceneFile& file) {
 
 Subcommand check_subcommand(CheckOptions& options) {
   Subcommand check{"check", "Read a scene and describe it, or report its errors", {}, {}, {}, {}, {}, {}};
-  check.options = {{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
-                   picture_option(options.picture, "course"),
-                   picture_option(options.picture, "lenient")};
+  check.options = {
+      {"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
+      picture_option(options.picture, "course"),
+      picture_option(options.picture, "lenient")};
   check.run = [&options] { return check_command(options); };
   return check;
 }

@@ -14,6 +14,7 @@
 #include "app/farm/farm_submit.hpp"
 #include "app/merge/part_file.hpp"
 #include "app/options/picture_options.hpp"
+#include "app/render/outputs.hpp"
 #include "base/atomic_file.hpp"
 #include "farm/scripts.hpp"
 #include "farm/slurm.hpp"
@@ -97,7 +98,12 @@ Subcommand submit_subcommand(FarmSubmitOptions& options) {
   submit.options.push_back(
       {"--folder", "FOLDER", "The job folder, which all nodes must see [OUT.farm]", into(options.folder)});
   submit.options.push_back({"--dry-run", "", "Write the scripts and submit nothing [off]", into(options.dry_run)});
-  submit.check = render.check;
+  submit.check = [&options, check = render.check] {
+    if (options.render.scene == standard_input || has_standard_output(options.render.outputs)) {
+      return std::string("SCENE, -o: the machines of the cluster read and write files, not the pipes of this command");
+    }
+    return check();
+  };
   return submit;
 }
 

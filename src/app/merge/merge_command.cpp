@@ -49,8 +49,9 @@ int merge_parts(const MergeOptions& options) {
 Subcommand merge_subcommand(MergeOptions& options) {
   Subcommand merge{"merge", "Merge the parts that `render --shard` wrote", {}, {}, {}, {}, {}, {}};
   merge.options = {{"PART", "FILE", "The parts of one picture, in any order", into(options.parts), Times::many, true},
-                   {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated",
-                    into(options.outputs), Times::repeated, true},
+                   {"-o,--output", "FILE",
+                    "A file for the picture, .png or .exr, or - for a PNG on standard output; may be repeated",
+                    into_outputs(options.outputs), Times::repeated, true},
                    {"--quiet", "", "Print nothing but errors [off]", into(options.quiet)}};
   merge.check = [&options] {
     for (const std::string& output : options.outputs) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/options/picture_options.hpp"
+#include "app/render/outputs.hpp"
 #include "app/render/render_command.hpp"
 #include "base/number_list.hpp"
 #include "image/image_file.hpp"
@@ -52,6 +53,7 @@ std::string check_frames(const RenderOptions& options) {
   if (std::filesystem::path(options.video).extension() != ".mp4") {
     return fmt::format("--video: `{}` does not end in .mp4", options.video);
   }
+  if (has_standard_output(options.outputs)) return "--video: it is made from the files of the frames; name one with -o";
   if (options.frame) return "--video: a video is made of all frames; leave out --frame";
   if (options.session.shard) return "--video: a shard is only a part of each frame; leave out --video";
   return {};
@@ -112,9 +114,10 @@ Subcommand render_subcommand(RenderOptions& options) {
   const auto add = [&all](std::vector<CommandOption> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add({{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
-       {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated", into(options.outputs),
-        Times::repeated}});
+  add({{"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
+       {"-o,--output", "FILE",
+        "A file for the picture, .png or .exr, or - for a PNG on standard output; may be repeated",
+        into_outputs(options.outputs), Times::repeated}});
   add(render_picture_options(options));
   add({{"--debug-pixel", "x,y,sample",
         "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",

@@ -7,10 +7,13 @@
 #include <regex>
 #include <string>
 
+#include "image/image_file.hpp"
+
 namespace penumbra {
 namespace {
 
 std::filesystem::path numbered(const std::filesystem::path& file, int number) {
+  if (file == standard_output) return file;
   const std::string name = fmt::format("{}-{}{}", file.stem().string(), number, file.extension().string());
   return file.parent_path() / name;
 }
@@ -26,6 +29,7 @@ std::optional<std::filesystem::path> with_frame_in_pattern(const std::filesystem
 }
 
 std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame) {
+  if (file == standard_output) return file;
   if (const auto numbered = with_frame_in_pattern(file, frame.frame)) return *numbered;
   const std::string name = fmt::format("{}.{:0{}}{}", file.stem().string(), frame.frame, frame_digits(frame.last),
                                        file.extension().string());
@@ -33,6 +37,17 @@ std::filesystem::path with_frame_number(const std::filesystem::path& file, const
 }
 
 int frame_digits(int last_frame) { return std::max(static_cast<int>(std::to_string(last_frame).size()), 4); }
+
+TakeText into_outputs(std::vector<std::string>& outputs) {
+  return [&outputs](std::string_view text) {
+    outputs.emplace_back(text == "-" ? standard_output : text);
+    return std::string();
+  };
+}
+
+bool has_standard_output(const std::vector<std::string>& outputs) {
+  return std::find(outputs.begin(), outputs.end(), standard_output) != outputs.end();
+}
 
 std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<Action>& actions,
                                                              const std::filesystem::path& scene,
@@ -50,7 +65,7 @@ std::vector<std::vector<std::filesystem::path>> output_files(const std::vector<A
     }
     if (!outputs.empty()) continue;
     const std::string& name = std::get<Picture>(action).file;
-    const std::filesystem::path own = scene.stem().string() + ".png";
+    const std::filesystem::path own = (scene == standard_input ? "stdin" : scene.stem().string()) + ".png";
     if (name.empty()) renders++;
     of_picture.push_back(!name.empty() ? std::filesystem::path(name) : renders > 1 ? numbered(own, renders) : own);
   }

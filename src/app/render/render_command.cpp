@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "app/render/outputs.hpp"
 #include "app/render/picture_files.hpp"
 #include "app/render/picture_job.hpp"
 #include "app/render/progress.hpp"
@@ -89,8 +90,9 @@ class RenderRun {
       if (std::holds_alternative<ResetTimer>(action)) {
         timer = Clock::now();
       } else if (std::holds_alternative<PrintTimer>(action)) {
-        fmt::print("seconds: {:.3f}\n", seconds_since(timer));
-        std::fflush(stdout);
+        std::FILE* const out = has_standard_output(asked_.outputs) ? stderr : stdout;
+        fmt::print(out, "seconds: {:.3f}\n", seconds_since(timer));
+        std::fflush(out);
       } else {
         const Files& files = outputs[static_cast<std::size_t>(number++)];
         const PictureJob job = picture_job(scenes_.options(), scenes_.file(), std::get<Picture>(action), number);
@@ -217,7 +219,7 @@ class RenderRun {
 
 int render_command(const RenderOptions& options) {
   std::error_code error;
-  if (!std::filesystem::exists(options.scene, error)) {
+  if (options.scene != standard_input && !std::filesystem::exists(options.scene, error)) {
     fmt::print(stderr, "penumbra: there is no scene file `{}`\n", options.scene);
     return EX_NOINPUT;
   }

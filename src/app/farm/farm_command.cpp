@@ -66,9 +66,10 @@ CommandOption keeping_words(CommandOption option, const std::string& name, std::
 
 // `submit` takes the options of `render`, except those that the shard script sets or that do not apply to shards.
 Subcommand submit_subcommand(FarmSubmitOptions& options) {
-  constexpr std::array<std::string_view, 14> own = {
-      "--checkpoint", "--every", "--resume", "--time-limit",  "--shard", "--scene-hash", "--progress",
-      "--stats",      "--quiet", "--video",  "--debug-pixel", "--fps",   "--time",       "--frame"};
+  constexpr std::array<std::string_view, 15> own = {
+      "--keep-checkpoint", "--checkpoint",  "--every",    "--resume", "--time-limit",
+      "--shard",           "--scene-hash",  "--progress", "--stats",  "--quiet",
+      "--video",           "--debug-pixel", "--fps",      "--time",   "--frame"};
   constexpr std::array<std::string_view, 3> of_job = {"SCENE", "-o,--output", "--frames"};
   const auto is_among = [](const auto& names, const CommandOption& option) {
     return std::find(names.begin(), names.end(), option.name) != names.end();

@@ -62,6 +62,7 @@ std::string check_frames(const RenderOptions& options) {
 std::string check_session(const RenderOptions& options) {
   const RenderSessionOptions& session = options.session;
   if (session.every && session.checkpoint.empty()) return "--every: it needs --checkpoint";
+  if (session.keep_checkpoint && session.checkpoint.empty()) return "--keep-checkpoint: it needs --checkpoint";
   if (session.resume && session.checkpoint.empty() && !session.animation) {
     return "--resume: there is nothing to resume without --checkpoint or --frames";
   }

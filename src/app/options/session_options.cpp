@@ -52,6 +52,9 @@ std::vector<CommandOption> session_options(RenderSessionOptions& options) {
   return {
       {"--checkpoint", "FILE", "Save the progress of the render here at regular times [no]", into(options.checkpoint)},
       {"--every", "TIME", "Time between two checkpoints: 30s, 5m, 2h [30s]", into_seconds(options.every)},
+      {"--keep-checkpoint", "",
+       "Keep the checkpoint of a finished picture: --resume with more --rays goes on from it [off]",
+       into(options.keep_checkpoint)},
       {"--resume", "", "Resume from the checkpoint, if there is one; skip frames that are finished [off]",
        into(options.resume)},
       {"--time-limit", "TIME", "After this time, write picture and checkpoint as they stand, exit code 75 [none]",

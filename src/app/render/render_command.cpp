@@ -112,7 +112,7 @@ class RenderRun {
       return std::filesystem::exists(file, error);
     };
     if (!asked_.frames) {
-      return session_.has_finished(job.key.picture) && std::all_of(files.begin(), files.end(), exists);
+      return session_.has_finished(job.key) && std::all_of(files.begin(), files.end(), exists);
     }
     if (!asked_.session.resume) return false;
     const bool is_part = asked_.session.shard.has_value();

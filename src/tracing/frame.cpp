@@ -1,5 +1,6 @@
 #include "tracing/frame.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace penumbra {
@@ -112,7 +113,9 @@ Frame make_frame(const Scene& scene, World world) {
                                     {size(settings.rays_per_pixel), size(settings.reflection_rays),
                                      size(settings.transmission_rays), size(settings.shadow_rays)},
                                     settings.seed);
-  frame.color_quantum = quantum_for(largest_color(scene));
+  frame.color_quantum = quantum_for(std::min(largest_color(scene), double{largest_finite_sample}));
+  frame.largest_color =
+      static_cast<float>(std::min(std::ldexp(frame.color_quantum, quantum_bits), double{largest_finite_sample}));
   double reach = max_component(abs(scene.camera.eye));
   for (const Leaf& leaf : frame.world.leaves) reach = std::max(reach, double{leaf.magnitude});
   frame.depth_quantum = quantum_for(reach);

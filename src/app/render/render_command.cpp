@@ -153,6 +153,15 @@ class RenderRun {
                  render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise);
     }
 
+    if (const NotFiniteSamples& wrong = session_.spent().rays.not_finite; wrong.count > 0 && !asked_.quiet) {
+      fmt::print(
+          stderr,
+          "penumbra: warning: {} of {} samples {} not finite and {} shown as the largest value, {:.6g}; the same "
+          "command with --debug-pixel {},{},{} shows the rays of the first\n",
+          wrong.count, session_.spent().rays[RayKind::eye], wrong.count == 1 ? "is" : "are",
+          wrong.count == 1 ? "is" : "are", frame.largest_color, wrong.x, wrong.y, wrong.sample);
+    }
+
     start = Clock::now();
     write(job, render->take_film(), finished, files, static_cast<double>(pixels));
     stats_.write_seconds += seconds_since(start);

@@ -15,7 +15,7 @@ void eye(Reading& reading, const Call& call) { reading.builder.change().camera.e
 
 void uvw(Reading& reading, const Call& call) {
   const Vec3 u = call.vec(0), v = call.vec(3), w = call.vec(6);
-  const double volume = dot(u, cross(v, w));
+  const double volume = dot(near_unit(u), cross(near_unit(v), near_unit(w)));
   if (!(std::abs(volume) > 0)) {
     return reading.diagnostics.error(call.place(), "the three vectors of `uvw` lie in one plane");
   }

@@ -66,9 +66,8 @@ std::string describe_lights(const Scene& scene) {
 }
 
 std::string describe_camera(const Camera& camera) {
-  const double length_of_back = length(camera.back);
   std::string text = fmt::format("eye {}, looking along {}, fov {:g}", triple(camera.eye),
-                                 triple(-camera.back / length_of_back), camera.fov_degrees);
+                                 triple(-normalize(camera.back)), camera.fov_degrees);
   text += camera.lens_radius > 0
               ? fmt::format(", lens of radius {:g} focused at {:g}", camera.lens_radius, camera.focus_distance)
               : ", pinhole";

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "language/actions.hpp"
@@ -9,6 +10,15 @@
 #include "sampling/pattern.hpp"
 
 namespace penumbra::actions {
+namespace {
+
+// Of two vectors that are meant to be at a right angle, written with two digits.
+constexpr double largest_cosine = 0.02;
+
+double cosine(Vec3 a, Vec3 b) { return std::abs(dot(normalize(a), normalize(b))); }
+
+}  // namespace
+
 void fov(Reading& reading, const Call& call) { reading.builder.change().camera.fov_degrees = call[0]; }
 
 void eye(Reading& reading, const Call& call) { reading.builder.change().camera.eye = call.vec(0); }
@@ -18,6 +28,12 @@ void uvw(Reading& reading, const Call& call) {
   const double volume = dot(near_unit(u), cross(near_unit(v), near_unit(w)));
   if (!(std::abs(volume) > 0)) {
     return reading.diagnostics.error(call.place(), "the three vectors of `uvw` lie in one plane");
+  }
+  if (volume < 0) {
+    reading.diagnostics.warning(call.place(), "the vectors of `uvw` are left-handed: the picture is mirrored");
+  }
+  if (std::max({cosine(u, v), cosine(v, w), cosine(w, u)}) > largest_cosine) {
+    reading.diagnostics.warning(call.place(), "the vectors of `uvw` are not at right angles: the picture is sheared");
   }
   Camera& camera = reading.builder.change().camera;
   camera.right = u;

@@ -57,6 +57,13 @@ constexpr std::string_view about_camera = R"(
 Without `eye` and `uvw`, the camera is at the origin and looks along the negative z axis, with y up. The image plane is
 at distance 1; the shorter side of the picture spans 2 tan(fov/2) of it.
 
+The vectors of `uvw` are meant to be at right angles, of one length and right-handed; what is left-handed or oblique is
+a warning. The ray of the point (x, y) of the image plane, measured from its centre, runs along x u + y v - w. So a
+left-handed `uvw` mirrors the picture, an oblique one shears it, and a longer u or v shows more in that direction. The
+length of w acts on the field of view alone: focus is measured along -w in scene units, to planes at a right angle to w.
+The lens lies in the plane of u and v and has its radius along both: where they are oblique to each other it is an
+ellipse, where they are oblique to w it is tilted against the plane in focus.
+
 With a lens, all rays of one point of the picture start on a disk and meet again in the plane that is in focus.
 `camera_lens F n P` is the same lens as `lens F/(2n) P`, in the lecture's terms. The field of view is still that of
 `fov`. `penumbra check` lists how much each object is blurred, by the formulas of [lens.md](lens.md).
@@ -110,8 +117,9 @@ periods per unit.
 
 constexpr std::string_view about_shapes = R"(
 Every shape follows the full current matrix: a sphere under `scale 1 2 1` is an ellipsoid. The outward side of a
-triangle is the one from which its corners run counterclockwise. Polygons with more than three corners must be convex.
-At equal distances, the shape that comes first in the file is seen.
+triangle is the one from which its corners run counterclockwise, as they are written: a matrix that mirrors, such as
+`scale -1 1 1`, takes the outward side along with the object, so that glass made of triangles stays glass. Polygons with
+more than three corners must be convex. At equal distances, the shape that comes first in the file is seen.
 
 A mesh file is one object. OBJ files are recognised by their name (`.obj`), PLY files, text or binary in either byte
 order, by their first line. Only positions and faces are used; normals are those of the triangles.

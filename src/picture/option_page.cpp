@@ -24,6 +24,11 @@ The options that affect only how a picture is made (threads, progress, checkpoin
 )";
 
 constexpr std::string_view ending = R"(
+Layers of `--aov`: `depth` is the distance along the view, its mean over the samples that hit something, infinite where
+none does. `normal` and `albedo` are means over all samples of a pixel, a sample that hits nothing counting as 0: at the
+edge of an object they are shorter and darker. `variance` is the estimated variance of a pixel's colour, `samples` the
+number of its samples.
+
 Limits: 1 to {} pixels per side and at most {} in all; 1 to {} rays per pixel; 1 to {}
 rays of each kind per hit of an eye ray; depth 0 to {}.
 )";

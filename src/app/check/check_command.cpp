@@ -9,6 +9,7 @@
 
 #include "app/check/lens_table.hpp"
 #include "app/options/picture_options.hpp"
+#include "geometry/precision.hpp"
 
 namespace penumbra {
 namespace {
@@ -116,6 +117,19 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
 
 }  // namespace
 
+SceneFile read_and_examine(const std::string& scene, const ReadOptions& options) {
+  SceneFile file = read_scene(scene, options);
+  const auto last = std::find_if(file.actions.rbegin(), file.actions.rend(),
+                                 [](const Action& action) { return std::holds_alternative<Picture>(action); });
+  if (last == file.actions.rend()) return file;
+  Diagnostic warning;
+  warning.severity = Severity::warning;
+  warning.file = file.files.front();
+  warning.message = precision_warning(*std::get<Picture>(*last).scene);
+  if (!warning.message.empty()) file.diagnostics.push_back(warning);
+  return file;
+}
+
 std::string describe(const SceneFile& file) {
   std::string text;
   for (const std::string& name : file.files) text += fmt::format("read: {}\n", name);
@@ -151,7 +165,7 @@ Subcommand check_subcommand(CheckOptions& options) {
 
 int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors) {
   const SceneFile file =
-      read_scene(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
+      read_and_examine(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
   for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;

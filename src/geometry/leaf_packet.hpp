@@ -47,7 +47,7 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, const Leaf& leaf, Mask lanes
   if (leaf.placement != no_placement) {
     const Placement& placement = g.world.placements[leaf.placement];
     point = multiply(placement.linear, point) + broadcast3(placement.translation);
-    normal = normalize(multiply_transposed(placement.inverse, normal));
+    normal = normalize_any_length(multiply_transposed(placement.inverse, normal));
   }
   const auto set = [&](auto& field, auto value) {
     if constexpr (whole) {

@@ -66,6 +66,18 @@ TEST(Length, OfWhatIsAddedToAMirrorDirection) {
   expect_same_picture(floor("1e9"), floor("3e38"));
 }
 
+// The normals of what a matrix flattens or stretches.
+TEST(Length, OfNormalsUnderAMatrix) {
+  for (const std::string& group : {std::string("box -1 -1 -1 1 1 1\n"),
+                                   std::string("begin_list\nbox -1 -1 -1 1 1 1\nbox -1 -1 -1 1 1 1\nend_list\n")}) {
+    const auto flat = [&group](const std::string& by) {
+      return "image_size 12 9\n" + light + group + "named_object o\ntranslate 0 0 -5\nrotate 30 1 1 0\nscale 1 1 " +
+             by + "\ninstance o\n";
+    };
+    for (const char* by : {"1e-18", "1e-20", "1e-30"}) expect_same_picture(flat("1e-9"), flat(by));
+  }
+}
+
 // A lens and a focus of any size: nothing is black.
 TEST(Length, OfTheLens) {
   for (const char* lens : {"lens 1e-30 1e-30\n", "lens 1e-30 5\n", "lens .1 1e30\n", "camera_lens 1e-30 1 2e-30\n"}) {

@@ -24,6 +24,10 @@ The options that affect only how a picture is made (threads, progress, checkpoin
 )";
 
 constexpr std::string_view ending = R"(
+`--noise` learns from the first rays of each pixel where more are needed. An object that covers the share c of a pixel is
+seen by N first rays if N c is 4 or more; one that they all miss stays unseen, whatever the error asked for. `render`
+warns of objects so small, if they are bright enough to matter, and names the `--first-rays` that finds them.
+
 Layers of `--aov`: `depth` is the distance along the view, its mean over the samples that hit something, infinite where
 none does. `normal` and `albedo` are means over all samples of a pixel, a sample that hits nothing counting as 0: at the
 edge of an object they are shorter and darker. `variance` is the estimated variance of a pixel's colour, `samples` the

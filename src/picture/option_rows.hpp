@@ -16,6 +16,7 @@ PictureOption transmission_rays();
 PictureOption shadow_rays();
 PictureOption sampler_light();
 PictureOption noise();
+PictureOption first_rays();
 PictureOption course();
 PictureOption highlight();
 PictureOption lenient();

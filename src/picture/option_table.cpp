@@ -19,6 +19,7 @@ std::span<const PictureOption> option_table() {
                                                    sampler_light(),
                                                    crop(),
                                                    noise(),
+                                                   first_rays(),
                                                    shutter(),
                                                    time(),
                                                    frames(),

@@ -93,6 +93,7 @@ std::string check_noise(const RenderOptions& options) {
   if (options.noise && options.rays && *options.rays < static_cast<int>(fewest_adaptive_rays)) {
     return fmt::format("--rays: with --noise it is the most rays a pixel gets, at least {}", fewest_adaptive_rays);
   }
+  if (options.first_rays && !options.noise) return "--first-rays: it needs --noise";
   if (options.noise && options.regular_lights) {
     return "--sampler-light: a regular set needs a fixed number of rays; leave out --noise";
   }

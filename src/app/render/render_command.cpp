@@ -20,6 +20,7 @@
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "picture/ray_tree_text.hpp"
+#include "rendering/small_objects.hpp"
 
 namespace penumbra {
 namespace {
@@ -138,6 +139,7 @@ class RenderRun {
 
     const std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
     const std::uint64_t pixels = pixel_count(tiles_of(job.plan.crop, asked_.sample_counts()), job.plan.shard);
+    if (asked_.noise && !asked_.quiet) warn_of_small_objects(job, frame);
     RenderState state;
     bool finished = false;
     {
@@ -166,6 +168,16 @@ class RenderRun {
     write(job, render->take_film(), finished, files, static_cast<double>(pixels));
     stats_.write_seconds += seconds_since(start);
     return finished;
+  }
+
+  void warn_of_small_objects(const PictureJob& job, const Frame& frame) const {
+    const std::uint32_t first = 1u << AdaptiveRules(goal_of(scenes_.options(), frame.settings), frame).first_level;
+    const SmallObjects small = small_objects(job.scene, *asked_.noise, first);
+    if (small.count == 0) return;
+    fmt::print(stderr,
+               "penumbra: warning: the first {} rays of each pixel may miss {} small object{}, and --noise then sends "
+               "no more there: --first-rays {} finds {}\n",
+               first, small.count, small.count == 1 ? "" : "s", small.rays, small.count == 1 ? "it" : "them");
   }
 
   void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) const {

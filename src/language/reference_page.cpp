@@ -203,7 +203,10 @@ repeated name; `moving_object` or `named_object` without an object before it; a 
 are missing, cannot be read, or read themselves; a matrix that flattens a shape.
 
 Warnings do not stop anything. They point out what is allowed but probably not intended: no light, no object, an unused
-name, an empty group, an open `push`, objects after the last picture.
+name, an empty group, an open `push`, objects after the last picture, a left-handed or oblique `uvw`. `check` and
+`render` also warn of objects that single precision cannot hold, being less than 256 of its steps wide where they stand;
+nearer to the origin the steps are smaller. `render` warns of samples whose colour is infinite or not a number, which
+count as the largest value, and says how to look at the first.
 
 With `--lenient`, commands that only other programs know are skipped with a warning. A command that looks like a
 misspelling is still an error.

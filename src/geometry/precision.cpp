@@ -9,8 +9,7 @@
 namespace penumbra {
 namespace {
 
-// An object that is fewer steps wide is warned of. Rays that leave a surface start 8 steps off it: of so small an
-// object, that is more than a thirtieth.
+// An object that is fewer steps wide is warned of: points on its surface are off by some steps, which begins to show.
 constexpr double fewest_steps = 256;
 
 // The distance of neighbouring numbers of single precision near the largest coordinate.

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/no_broken_pipe.hpp"
 #include "base/parse.hpp"
 
 namespace penumbra {
@@ -110,6 +111,7 @@ void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   const std::optional<int> inherited = descriptor_named(path);
   Descriptor file(inherited ? ::fcntl(*inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.get() < 0) fail(EX_CANTCREAT, "open", path, errno);
+  const NoBrokenPipe no_broken_pipe;
   if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
   if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
 }

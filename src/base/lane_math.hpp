@@ -30,6 +30,16 @@ PENUMBRA_INLINE Float3 keep(Mask m, Float3 a) { return {keep(m, a.x), keep(m, a.
 // The unit vector along a; NaN where a is zero.
 PENUMBRA_INLINE Float3 normalize(Float3 a) { return a * (Floats(1) / sqrt(dot(a, a))); }
 
+// The same for vectors whose squares may overflow or underflow, such as normals under a matrix that flattens.
+PENUMBRA_INLINE Float3 normalize_any_length(Float3 a) {
+  const Mask usual = (dot(a, a) > Floats(1e-30f)) & (dot(a, a) < Floats(1e30f));
+  if (any(~usual)) {
+    const Floats largest = max(max(abs(a.x), abs(a.y)), abs(a.z));
+    a = select(usual, a, {a.x / largest, a.y / largest, a.z / largest});
+  }
+  return normalize(a);
+}
+
 // W copies of three numbers in memory.
 PENUMBRA_INLINE Float3 broadcast3(const float* p) { return {Floats(p[0]), Floats(p[1]), Floats(p[2])}; }
 

@@ -28,11 +28,25 @@ inline Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
-inline Vec3 normalize(Vec3 a) { return a / length(a); }
 inline Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 inline Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 inline Vec3 abs(Vec3 a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
 inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); }
+// a times 2^exponent.
+inline Vec3 scalbn(Vec3 a, int exponent) {
+  return {std::scalbn(a.x, exponent), std::scalbn(a.y, exponent), std::scalbn(a.z, exponent)};
+}
+// a times the power of two that brings its largest component to 1 or more, below 2, where squares neither overflow nor
+// underflow; zero stays zero.
+inline Vec3 near_unit(Vec3 a) {
+  const double largest = max_component(abs(a));
+  return largest > 0 && std::isfinite(largest) ? scalbn(a, -std::ilogb(largest)) : a;
+}
+// The unit vector along a, whatever its length; NaN where a is zero.
+inline Vec3 normalize(Vec3 a) {
+  const Vec3 scaled = near_unit(a);
+  return scaled / length(scaled);
+}
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 // Rounds to single precision, which is what packets work with.

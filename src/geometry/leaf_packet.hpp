@@ -73,7 +73,7 @@ PENUMBRA_INLINE SurfacePoint surface_of(const GroupRays& g, const Leaf& leaf, Fl
   if (leaf.placement != no_placement) {
     const Placement& placement = g.world.placements[leaf.placement];
     surface.point = multiply(placement.linear, surface.point) + broadcast3(placement.translation);
-    surface.normal = normalize(multiply_transposed(placement.inverse, surface.normal));
+    surface.normal = normalize_any_length(multiply_transposed(placement.inverse, surface.normal));
   }
   return surface;
 }

@@ -60,7 +60,7 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
   const Placement& placement = g.world.placements[leaf.placement];
   Float3 point = multiply(placement.linear, nested.point) + broadcast3(placement.translation);
   if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
-  const Float3 normal = normalize(multiply_transposed(placement.inverse, nested.normal));
+  const Float3 normal = normalize_any_length(multiply_transposed(placement.inverse, nested.normal));
   const Floats slack = max(Floats(leaf.slack), nested.slack * Floats(placement.stretch));
   hits.distance = select(improved, nested.distance, hits.distance);
   hits.order = select(improved, order + (nested.order & Ints(~order_mask)), hits.order);

@@ -65,6 +65,8 @@ Comparison compare(const ImageFile& a, const ImageFile& b, const Thresholds& thr
   result.width = a.image.width;
   result.height = a.image.height;
   result.errors = error_figures(a.image, b.image);
+  result.not_finite_a = count_not_finite(a.image);
+  result.not_finite_b = count_not_finite(b.image);
   result.ssim = ssim(a.image, b.image);
   result.flip = flip(a.image, b.image);
   result.pixel_differences = pixel_differences(a.image, b.image);

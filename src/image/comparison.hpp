@@ -38,11 +38,12 @@ struct Comparison {
   int width = 0, height = 0;
   ErrorFigures errors;
   double ssim = 1, flip = 0;
-  double max_difference = 0;                // of the colours
-  std::size_t pixels_beyond = 0;            // `fail`, of the colours
-  std::vector<float> pixel_differences;     // of the colours
-  std::vector<LayerComparison> layers;      // in both files
-  std::vector<std::string> missing_layers;  // in one file only
+  double max_difference = 0;                       // of the colours
+  std::size_t pixels_beyond = 0;                   // `fail`, of the colours
+  std::size_t not_finite_a = 0, not_finite_b = 0;  // pixels of each picture with a colour that is not finite
+  std::vector<float> pixel_differences;            // of the colours
+  std::vector<LayerComparison> layers;             // in both files
+  std::vector<std::string> missing_layers;         // in one file only
 };
 
 // Whether the pictures have the same size and, where both are crops, show the same window.

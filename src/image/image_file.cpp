@@ -11,6 +11,7 @@
 namespace penumbra {
 
 ImageFormat format_of(const std::filesystem::path& path) {
+  if (path == standard_output) return ImageFormat::png;
   const std::filesystem::path ending = path.extension();
   if (::strcasecmp(ending.c_str(), ".png") == 0) return ImageFormat::png;
   return ::strcasecmp(ending.c_str(), ".exr") == 0 ? ImageFormat::exr : ImageFormat::none;

@@ -13,6 +13,9 @@ namespace penumbra {
 
 enum class ImageFormat { none, png, exr };
 
+// A picture of this name is a PNG on standard output.
+inline constexpr const char* standard_output = "/dev/stdout";
+
 // The format of a file name by its ending, in upper or lower case; none for any other ending.
 ImageFormat format_of(const std::filesystem::path& path);
 

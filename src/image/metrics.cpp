@@ -33,21 +33,25 @@ std::size_t count_beyond(std::span<const float> differences, float threshold) {
       std::count_if(differences.begin(), differences.end(), [&](float d) { return d > threshold || std::isinf(d); }));
 }
 
+std::size_t count_not_finite(const Image& image) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    count += !std::all_of(&image.rgb[i], &image.rgb[i] + 3, [](float v) { return std::isfinite(v); });
+  }
+  return count;
+}
+
 ErrorFigures error_figures(const Image& a, const Image& b) {
   double sum = 0, sum_of_squares = 0, peak = 1;
-  std::size_t count = 0;
   for (std::size_t i = 0; i < a.rgb.size(); i++) {
     const double d = difference(a.rgb[i], b.rgb[i]);
-    if (std::isinf(d)) continue;
     sum += d;
     sum_of_squares += d * d;
-    count++;
-    if (std::isfinite(a.rgb[i])) peak = std::max<double>({peak, a.rgb[i], b.rgb[i]});
+    if (std::isfinite(a.rgb[i]) && std::isfinite(b.rgb[i])) peak = std::max<double>({peak, a.rgb[i], b.rgb[i]});
   }
-  if (count == 0) return {0, 0, std::numeric_limits<double>::infinity()};
-  const double rmse = std::sqrt(sum_of_squares / static_cast<double>(count));
-  const double psnr = rmse > 0 ? 20 * std::log10(peak / rmse) : std::numeric_limits<double>::infinity();
-  return {sum / static_cast<double>(count), rmse, psnr};
+  const auto count = static_cast<double>(a.rgb.size());
+  const double rmse = std::sqrt(sum_of_squares / count);
+  return {sum / count, rmse, 20 * std::log10(peak / rmse)};
 }
 
 std::vector<float> luma(const Image& image) {

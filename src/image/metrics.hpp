@@ -25,10 +25,13 @@ float largest_finite(std::span<const float> differences);
 // How many of the numbers exceed the threshold; an infinite one always does.
 std::size_t count_beyond(std::span<const float> differences, float threshold);
 
+// How many pixels have a colour value that is NaN or infinite.
+std::size_t count_not_finite(const Image& image);
+
 struct ErrorFigures {
-  double mean_absolute_error = 0;  // over all colour values of all pixels; infinite differences are left out
+  double mean_absolute_error = 0;  // over all colour values of all pixels; infinite if one difference is
   double rmse = 0;                 // root of the mean squared difference over the same
-  double psnr = 0;                 // dB: 20 log10(peak / rmse), peak = max(1, largest value); infinity when rmse is 0
+  double psnr = 0;                 // dB: 20 log10(peak / rmse), peak = max(1, largest finite value)
 };
 
 ErrorFigures error_figures(const Image& a, const Image& b);

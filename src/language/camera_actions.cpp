@@ -1,6 +1,7 @@
 // The commands for the camera and for how its rays are spent.
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "base/parse.hpp"
@@ -9,15 +10,30 @@
 #include "sampling/pattern.hpp"
 
 namespace penumbra::actions {
+namespace {
+
+// Of two vectors that are meant to be at a right angle, written with two digits.
+constexpr double largest_cosine = 0.02;
+
+double cosine(Vec3 a, Vec3 b) { return std::abs(dot(normalize(a), normalize(b))); }
+
+}  // namespace
+
 void fov(Reading& reading, const Call& call) { reading.builder.change().camera.fov_degrees = call[0]; }
 
 void eye(Reading& reading, const Call& call) { reading.builder.change().camera.eye = call.vec(0); }
 
 void uvw(Reading& reading, const Call& call) {
   const Vec3 u = call.vec(0), v = call.vec(3), w = call.vec(6);
-  const double volume = dot(u, cross(v, w));
+  const double volume = dot(near_unit(u), cross(near_unit(v), near_unit(w)));
   if (!(std::abs(volume) > 0)) {
     return reading.error(call.place(), "the three vectors of `uvw` lie in one plane");
+  }
+  if (volume < 0) {
+    reading.diagnostics.warning(call.place(), "the vectors of `uvw` are left-handed: the picture is mirrored");
+  }
+  if (std::max({cosine(u, v), cosine(v, w), cosine(w, u)}) > largest_cosine) {
+    reading.diagnostics.warning(call.place(), "the vectors of `uvw` are not at right angles: the picture is sheared");
   }
   Camera& camera = reading.builder.change().camera;
   camera.right = u;

@@ -30,12 +30,13 @@ struct Descriptor {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-// Reads up to `size` bytes; fewer if the file shrinks meanwhile.
-std::string read_all(int descriptor, std::size_t size, int& error_code) {
-  std::string text(size, '\0');
+// Reads up to `size` bytes; fewer if the file ends before. `expected` bytes are there to be read, as far as is known.
+std::string read_all(int descriptor, std::uint64_t size, std::size_t expected, int& error_code) {
+  std::string text;
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count = ::read(descriptor, text.data() + done, size - done);
+    if (done == text.size()) text.resize(std::min(size, std::max<std::uint64_t>(expected, 2 * done)));
+    const ssize_t count = ::read(descriptor, text.data() + done, text.size() - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) error_code = errno;
     if (count <= 0) break;
@@ -85,7 +86,7 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
     }
   }
   int error_code = 0;
-  loaded.bytes = FileBytes(read_all(file.number, size, error_code));
+  loaded.bytes = FileBytes(read_all(file.number, size, size, error_code));
   if (error_code != 0) return failure(system_message(error_code));
   return loaded;
 }
@@ -103,5 +104,14 @@ void FileBytes::release_before(std::size_t offset) {
 
 LoadedFile load_from_disk(const std::filesystem::path& path) { return load(path, true); }
 LoadedFile load_copy_from_disk(const std::filesystem::path& path) { return load(path, false); }
+
+LoadedFile load_standard_input(std::uint64_t most) {
+  static int error_code = 0;
+  static const std::string text = read_all(STDIN_FILENO, most + 1, 65'536, error_code);
+  if (error_code != 0) return failure(system_message(error_code));
+  LoadedFile loaded;
+  loaded.bytes = FileBytes(text);
+  return loaded;
+}
 
 }  // namespace penumbra

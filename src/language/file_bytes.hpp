@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -54,5 +55,8 @@ LoadedFile load_from_disk(const std::filesystem::path& path);
 
 // The same for a file that may be truncated while it is in use: it is never mapped.
 LoadedFile load_copy_from_disk(const std::filesystem::path& path);
+
+// Standard input, read to its end once: later calls return the same bytes. More than `most` bytes are cut to most + 1.
+LoadedFile load_standard_input(std::uint64_t most);
 
 }  // namespace penumbra

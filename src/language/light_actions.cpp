@@ -6,17 +6,13 @@ namespace {
 
 // Checks that the direction that starts at argument `first` is not zero.
 bool has_direction(Reading& reading, const Call& call, int first) {
-  const Vec3 direction = call.vec(first);
-  if (max_component(abs(direction)) > 0) return true;
+  if (call.vec(first) != Vec3{}) return true;
   reading.error(call.place_of_argument(first), "the direction of `{}` has no length", call.command.name);
   return false;
 }
 
-// Whether two edges span an area beyond the rounding errors of their numbers.
-bool span_area(Vec3 u, Vec3 v) {
-  const double u_size = max_component(abs(u)), v_size = max_component(abs(v));
-  return u_size > 0 && v_size > 0 && max_component(abs(cross(u / u_size, v / v_size))) > 1e-12;
-}
+// Whether the angle between two edges is more than what the rounding of their numbers makes.
+bool span_area(Vec3 u, Vec3 v) { return max_component(abs(cross(near_unit(u), near_unit(v)))) > 1e-12; }
 
 }  // namespace
 

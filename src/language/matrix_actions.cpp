@@ -32,11 +32,9 @@ void scale(Reading& reading, const Call& call) {
 }
 
 void rotate(Reading& reading, const Call& call) {
-  Vec3 axis = call.vec(1);
-  const double size = max_component(abs(axis));
-  if (size == 0) return reading.error(call.place_of_argument(1), "the axis of `rotate` has no length");
-  // The squares of very small or large components would underflow or overflow.
-  multiply(reading, call, rotation(call[0], axis / size));
+  const Vec3 axis = call.vec(1);
+  if (axis == Vec3{}) return reading.error(call.place_of_argument(1), "the axis of `rotate` has no length");
+  multiply(reading, call, rotation(call[0], axis));
 }
 
 void rotate_x(Reading& reading, const Call& call) { multiply(reading, call, rotation(call[0], {1, 0, 0})); }

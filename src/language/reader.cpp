@@ -164,15 +164,16 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
 
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
   const auto load_file = options.edited ? load_copy_from_disk : load_from_disk;
-  if (!options.hash) return read_scene_with(path, std::nullopt, options, load_file);
+  const bool is_pipe = path == standard_input;
   ContentHasher hasher;
-  const auto load = [&hasher, load_file](const std::filesystem::path& file) {
-    LoadedFile loaded = load_file(file);
-    hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
+  const auto load = [&, is_first = true](const std::filesystem::path& file) mutable {
+    LoadedFile loaded =
+        std::exchange(is_first, false) && is_pipe ? load_standard_input(Limits().bytes) : load_file(file);
+    if (options.hash) hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
     return loaded;
   };
-  SceneFile result = read_scene_with(path, std::nullopt, options, load);
-  result.hash = hasher.value();
+  SceneFile result = read_scene_with(is_pipe ? "<stdin>" : path, std::nullopt, options, load);
+  if (options.hash) result.hash = hasher.value();
   return result;
 }
 

@@ -55,6 +55,9 @@ struct ReadOptions {
   Moment moment = {};
 };
 
+// The scene file of this name is standard input; names in it are then relative to the working folder.
+inline constexpr const char* standard_input = "-";
+
 // Reads the file and all files that it names. Never throws because of their contents.
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options);
 

@@ -81,7 +81,7 @@ PictureOption time() {
 }
 
 PictureOption frames() {
-  PictureOption row{"frames", "A-B[xSTEP]", "Render an animation, every STEP-th frame from A to B [no]", "",
+  PictureOption row{"frames", "A[-B[xSTEP]]", "Render an animation, every STEP-th frame from A to B [no]", "",
                     OptionUse::render};
   row.parse = [](Options& options, std::string_view text) { return parse_frames(text, options.frames); };
   row.words = [](const Options& options, const Settings&) {

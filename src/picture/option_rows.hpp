@@ -9,7 +9,7 @@ using MakeRow = PictureOption();
 
 // settings_rows.cpp: size, rays and samples
 MakeRow size, rays, sampler, seed, max_depth, reflection_rays, transmission_rays, shadow_rays, sampler_light, noise,
-    course, highlight, lenient, no_shadows, transparent_shadows;
+    first_rays, course, highlight, lenient, no_shadows, transparent_shadows;
 
 // camera_rows.cpp: camera, time, and what is kept of the picture
 MakeRow crop, shutter, time, frames, frame, lens, lens_model, exposure, aov, bits;

@@ -7,9 +7,13 @@ namespace {
 
 std::optional<AnimationRange> range_from(std::string_view text) {
   const std::size_t x = text.find('x');
-  const std::vector<int> ends = whole_numbers(text.substr(0, x), '-');
+  const std::string_view range = text.substr(0, x);
+  std::vector<int> ends = whole_numbers(range, '-');
+  if (const auto one = number_from<int>(range)) ends = {*one, *one};
   const int step = x == text.npos ? 1 : number_from<int>(text.substr(x + 1)).value_or(0);
-  if (ends.size() != 2 || ends[0] > ends[1] || ends[1] > last_possible_frame || step < 1) return std::nullopt;
+  if (ends.size() != 2 || ends[0] < 0 || ends[0] > ends[1] || ends[1] > last_possible_frame || step < 1) {
+    return std::nullopt;
+  }
   return AnimationRange{ends[0], ends[1], step};
 }
 
@@ -37,7 +41,7 @@ std::string parse_frames(std::string_view text, std::optional<AnimationRange>& r
   const std::optional<AnimationRange> found = range_from(text);
   if (!found) {
     return expected(text,
-                    fmt::format("A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
+                    fmt::format("A, A-B or A-BxSTEP with 0 <= A <= B <= {} and STEP 1 or more", last_possible_frame));
   }
   range = found;
   return {};

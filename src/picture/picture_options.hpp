@@ -45,7 +45,8 @@ struct PictureOptions {
   std::optional<Pattern> sampler;
   std::optional<std::uint32_t> seed;
   std::optional<PixelRect> crop;
-  std::optional<double> noise;  // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
+  std::optional<double> noise;    // adaptive: the standard error of a pixel; `rays` is then the most a pixel gets
+  std::optional<int> first_rays;  // of every pixel before `noise` looks where more are needed
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;
   std::optional<AnimationRange> frames;           // `shutter` and `time` then are in a frame's own time

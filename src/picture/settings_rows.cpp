@@ -167,6 +167,20 @@ PictureOption noise() {
   return row;
 }
 
+PictureOption first_rays() {
+  PictureOption row{"first-rays", "N",
+                    "Rays of every pixel before --noise looks where more are needed; small bright objects that all of "
+                    "them miss stay unseen [16 to 4096, more for a small error]",
+                    "", OptionUse::render};
+  row.parse = [](Options& options, std::string_view text) {
+    return parse_whole(text, fewest_first_rays, NoiseGoal().most_rays, options.first_rays);
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.first_rays ? fmt::format("{}", *options.first_rays) : std::string();
+  };
+  return row;
+}
+
 PictureOption course() {
   PictureOption row{
       "course", "YEAR",

@@ -22,6 +22,7 @@ float brightest_glow(const Frame& frame) {
 }
 
 int level_of_first_round(const NoiseGoal& goal, const Frame& frame, int most_level) {
+  if (goal.first_rays > 0) return std::min(static_cast<int>(std::bit_width(goal.first_rays - 1)), most_level);
   const float wanted = first_samples_times_goal * std::max(1.0f, brightest_glow(frame) / 2);
   int level = fewest_first_level;
   while (level < most_first_level && goal.error * static_cast<float>(1 << level) < wanted) level++;

@@ -13,11 +13,15 @@
 
 namespace penumbra {
 
+inline constexpr int fewest_first_rays = 16;
+
 struct NoiseGoal {
   // The standard error that no pixel should exceed: the root mean square over r, g, b, each clamped to 0..1.
   float error = 0.01f;
   // The most rays a pixel gets, rounded down to a power of two.
   std::uint32_t most_rays = 1u << 16;
+  // What every pixel gets before any gets more, rounded up to a power of two; 0: what the error and the scene suggest.
+  std::uint32_t first_rays = 0;
 };
 
 // Levels are base-2 logarithms of sample counts.

@@ -15,6 +15,11 @@ template <class Archive>
 void serialize_head(Archive& archive, Archived<Archive, PictureKey>& key, Archived<Archive, Spent>& spent) {
   serialize(archive, key);
   for (auto& count : spent.rays.counts) archive(count);
+  auto& not_finite = spent.rays.not_finite;
+  archive(not_finite.count);
+  archive(not_finite.x);
+  archive(not_finite.y);
+  archive(not_finite.sample);
   archive(spent.seconds);
 }
 

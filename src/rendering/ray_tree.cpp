@@ -105,8 +105,8 @@ std::array<float, 3> sum_of(const RayTree& tree, std::size_t number) {
 std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree) {
   std::array<float, 3> value{};
   for (std::size_t c = 0; c < 3; c++) {
-    const float color = tree.rays.front().came_back[c];
-    if (!(std::abs(color) < 3e38f)) continue;
+    float color = tree.rays.front().came_back[c];
+    if (!(std::abs(color) <= largest_finite_sample)) color = frame.largest_color;
     value[c] = static_cast<float>(std::nearbyint(double{color} / frame.color_quantum) * frame.color_quantum);
   }
   return value;

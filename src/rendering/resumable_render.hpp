@@ -21,6 +21,8 @@ class ResumableRender {
   virtual bool is_finished() const = 0;
   // The number of pixels that got the maximum of rays but needed more.
   virtual std::uint64_t unfinished_pixels() const = 0;
+  // Whether the state of a render of so many rays per pixel, fewer than this one's, is also a state of this one.
+  virtual bool can_go_on_from(std::uint32_t /*rays*/) const { return false; }
   // The picture as it stands. The render cannot be used after that.
   virtual Film take_film() = 0;
 

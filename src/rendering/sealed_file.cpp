@@ -11,7 +11,8 @@ namespace penumbra {
 namespace {
 
 constexpr std::string_view magic = "PENUMBRA";
-constexpr std::uint32_t format = 3;  // 1 had tiles of 16 pixels everywhere, 2 sums in another order
+constexpr std::uint32_t format =
+    4;  // 1: tiles of 16 pixels everywhere; 2: sums in another order; 3: no samples that are not finite
 constexpr std::size_t head_size = 16, block_head_size = 16;
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION

@@ -67,6 +67,11 @@ bool UniformRender::is_finished() const {
   return finished;
 }
 
+// A single ray has a place of its own in the pixel.
+bool UniformRender::can_go_on_from(std::uint32_t rays) const {
+  return rays > 1 && !needs_count(frame_.settings.pattern) && !frame_.settings.regular_lights;
+}
+
 // No pixel of a tile is ahead of the first one.
 bool UniformRender::has_begun(int tile) const {
   const PixelRect pixels = grid_.tile(tile);

@@ -29,6 +29,7 @@ class UniformRender : public ResumableRender {
   Film take_film() override { return std::move(film_); }
 
   const TileGrid& grid() const override { return grid_; }
+  bool can_go_on_from(std::uint32_t rays) const override;
   bool has_begun(int tile) const override;
   void write(ArchiveWriter& archive, int tile) const override { film_.write(archive, grid_.tile(tile)); }
   void read(ArchiveReader& archive, int tile) override;

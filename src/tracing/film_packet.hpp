@@ -11,6 +11,8 @@ namespace penumbra::PENUMBRA_KERNEL {
 // Adding and subtracting this rounds a double to a whole multiple of the quantum.
 PENUMBRA_INLINE double rounder(double quantum) { return quantum * 6755399441055744.0; }  // 1.5 * 2^52
 
+PENUMBRA_INLINE Mask is_finite_sample(Floats value) { return abs(value) <= Floats(largest_finite_sample); }
+
 // The results of one packet of samples: what it adds to each sum of a pixel, plane by plane.
 struct PacketResult {
   alignas(64) float values[most_sums][lane_count];
@@ -20,7 +22,7 @@ struct PacketResult {
 
   PENUMBRA_INLINE void add(Floats value, double quantum, bool square = false) {
     // What is not a finite number would spoil its pixel for good.
-    store(values[sums], keep(abs(value) < Floats(3e38f), value));
+    store(values[sums], keep(is_finite_sample(value), value));
     squared[sums] = square;
     round[sums++] = rounder(quantum);
   }

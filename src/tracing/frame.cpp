@@ -1,5 +1,6 @@
 #include "tracing/frame.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace penumbra {
@@ -13,8 +14,24 @@ Vec3 origin_for(Vec3 eye) {
   return {std::round(eye.x), std::round(eye.y), std::round(eye.z)};
 }
 
+// Beyond this, squares of numbers in single precision overflow; what is as far is as good as infinitely far.
+constexpr double far_away = 1e18;
+
+// Brings the vectors and the lens to numbers whose squares single precision holds. No ray changes its direction; only
+// that of a lens so large or so small that its numbers mean nothing.
+Camera with_usable_numbers(Camera c) {
+  const double size = max_component(max(abs(c.right), max(abs(c.up), abs(c.back))));
+  const int exponent = -std::ilogb(size);
+  for (Vec3* v : {&c.right, &c.up, &c.back}) *v = scalbn(*v, exponent);
+  const double lens = std::max(c.lens_radius, c.focus_distance);
+  const double enlarged = lens < 1 / far_away ? 1e-12 / lens : 1;
+  c.lens_radius = std::min(c.lens_radius * enlarged, far_away);
+  c.focus_distance = std::min(c.focus_distance * enlarged, far_away);
+  return c;
+}
+
 FrameCamera make_camera(const Scene& scene) {
-  const Camera& c = scene.camera;
+  const Camera c = with_usable_numbers(scene.camera);
   const Settings& settings = scene.settings;
   FrameCamera camera{};
   const double half_view = std::tan(c.fov_degrees * std::numbers::pi / 360);
@@ -43,11 +60,29 @@ FrameCamera make_camera(const Scene& scene) {
   return camera;
 }
 
+// A light that is too far for single precision moves nearer along its direction, and shrinks as much.
+template <class AnyLight>
+AnyLight brought_near(AnyLight light) {
+  double size = 0;
+  const auto visit_vectors = [&light](const auto& visit) {
+    visit(light.center);
+    if constexpr (AnyLight::has_area) visit(light.u), visit(light.v);
+  };
+  visit_vectors([&size](const float(&v)[3]) {
+    for (const float x : v) size = std::max(size, std::abs(double{x}));
+  });
+  const double factor = std::min(far_away / size, 1.0);
+  visit_vectors([factor](float(&v)[3]) {
+    for (float& x : v) x = static_cast<float>(x * factor);
+  });
+  return light;
+}
+
 FrameLight make_light(const Light& light, Vec3 origin) {
   FrameLight made;
   const auto set = [&](const auto& l) {
     set3(made.color, l.color);
-    made.hold(frame_light(l, origin));
+    made.hold(brought_near(frame_light(l, origin)));
   };
   std::visit(set, light);
   made.has_area = with_light(made, [](const auto& l) { return l.has_area; });
@@ -68,10 +103,10 @@ FrameSurface make_surface(const Surface& s) {
     surface.whole_power = static_cast<std::uint32_t>(s.specular_power);
   }
   surface.reflection = static_cast<float>(s.reflection);
-  surface.gloss_radius = static_cast<float>(s.gloss_radius);
+  surface.gloss_radius = static_cast<float>(std::min(s.gloss_radius, far_away));
   surface.transmission = static_cast<float>(s.transmission);
   surface.refraction_index = static_cast<float>(s.refraction_index);
-  surface.blur_radius = static_cast<float>(s.blur_radius);
+  surface.blur_radius = static_cast<float>(std::min(s.blur_radius, far_away));
   surface.texture = s.texture;
   surface.texture_scale = static_cast<float>(s.texture_scale);
   surface.blinn = s.highlight == Highlight::blinn;
@@ -122,7 +157,9 @@ Frame make_frame(const Scene& scene, World world) {
                                     {size(settings.rays_per_pixel), size(settings.reflection_rays),
                                      size(settings.transmission_rays), size(settings.shadow_rays)},
                                     settings.seed);
-  frame.color_quantum = quantum_for(largest_color(scene));
+  frame.color_quantum = quantum_for(std::min(largest_color(scene), double{largest_finite_sample}));
+  frame.largest_color =
+      static_cast<float>(std::min(std::ldexp(frame.color_quantum, quantum_bits), double{largest_finite_sample}));
   frame.depth_quantum = quantum_for(std::max(max_component(abs(scene.camera.eye - frame.origin)), frame.world.reach));
   return frame;
 }

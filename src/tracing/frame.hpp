@@ -37,6 +37,7 @@ struct FrameSurface {
 };
 
 inline constexpr int quantum_bits = 28;
+inline constexpr float largest_finite_sample = 3e38f;  // a sample beyond it counts as not finite
 
 struct Frame {
   World world;
@@ -50,6 +51,7 @@ struct Frame {
   // Powers of two, 2^-quantum_bits of the largest sample: samples are rounded to whole multiples of these before they
   // are summed.
   double color_quantum = 0, depth_quantum = 0;
+  float largest_color = 0;  // of a sample; what is not finite counts as this
 
   PatternChoice pattern_choice() const {
     return {settings.pattern, static_cast<std::uint32_t>(settings.rays_per_pixel), settings.seed, &tables};

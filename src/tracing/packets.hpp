@@ -30,9 +30,27 @@ struct PacketRenderer {
     const TraceContext context{frame, sampler, counts, recorder};
     FirstHits first_hits;
     const bool color_alone = film.plane_count == 1;
-    const Float3 color = trace(context, rays, active, 0, tree_root, color_alone ? nullptr : &first_hits);
+    Float3 color = trace(context, rays, active, 0, tree_root, color_alone ? nullptr : &first_hits);
     if (color_alone && sums.color.add(keep(active, color), quanta)) return;
+    const Mask x = is_finite_sample(color.x), y = is_finite_sample(color.y), z = is_finite_sample(color.z);
+    if (const Mask wrong = active & ~(x & y & z); any(wrong)) {
+      note_not_finite(wrong, column, row, first, samples_per_pixel);
+      const Floats largest = Floats(frame.largest_color);
+      color = {select(x, color.x, largest), select(y, color.y, largest), select(z, color.z, largest)};
+    }
     sums.add(PacketResult(frame, film, active, color, first_hits, rays));
+  }
+
+  // Counts the samples of a packet that are not finite.
+  [[gnu::cold, gnu::noinline]] void note_not_finite(Mask wrong, Ints column, Ints row, std::uint32_t first,
+                                                    int samples_per_pixel) const {
+    alignas(64) std::uint32_t x[lane_count], y[lane_count];
+    store(x, column);
+    store(y, row);
+    for (std::uint32_t lane = 0; lane < lane_count; lane++) {
+      if ((bits(wrong) >> lane & 1) == 0) continue;
+      counts.not_finite += {1, x[lane], y[lane], first + lane % static_cast<std::uint32_t>(samples_per_pixel)};
+    }
   }
 
   PENUMBRA_INLINE Mask samples_wanted(std::uint32_t first, int samples_per_pixel) const {

@@ -87,6 +87,24 @@ TEST_F(CompareCommand, Json) {
   EXPECT_TRUE(nlohmann::json::parse(run({a_, a_, "--json"}).out)["psnr"].is_null());
 }
 
+TEST_F(CompareCommand, PixelsThatAreNotFiniteAreTold) {
+  Image a = test::flat(40, 30, 0, 0, 0), b = a;
+  a.rgb[0] = NAN;
+  b.rgb[0] = b.rgb[30] = b.rgb[31] = INFINITY;
+  const std::string file_a = folder_ / "a.exr", file_b = folder_ / "b.exr";
+  write_image(file_a, whole_picture(a));
+  write_image(file_b, whole_picture(b));
+  const CommandResult table = run({file_a, file_b});
+  EXPECT_EQ(table.exit_code, 2);
+  EXPECT_NE(table.out.find("mean absolute error     inf\nRMSE                    inf\n"), std::string::npos)
+      << table.out;
+  EXPECT_NE(table.out.find("pixels not finite       A 1, B 2\n"), std::string::npos) << table.out;
+  const nlohmann::json json = nlohmann::json::parse(run({file_a, file_a, "--json"}).out);
+  EXPECT_EQ(json["pixels_not_finite"]["a"], 1);
+  EXPECT_EQ(json["pixels_not_finite"]["b"], 1);
+  EXPECT_EQ(json["result"], "same");
+}
+
 TEST_F(CompareCommand, LayersAreNamed) {
   ImageFile file = test::crop_with_layers();
   write_image(folder_ / "a.exr", file);

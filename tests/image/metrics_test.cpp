@@ -62,7 +62,13 @@ TEST(Metrics, WhatIsNotFinite) {
   EXPECT_EQ(count_beyond(differences, infinity), 1u);
   EXPECT_EQ(largest_finite(differences), 1);
   const ErrorFigures figures = error_figures(test::flat(2, 2, 0, nan, 0.5f), test::flat(2, 2, 0.5f, 0, 0.5f));
-  EXPECT_DOUBLE_EQ(figures.mean_absolute_error, 0.25);
+  EXPECT_EQ(figures.mean_absolute_error, infinity);
+  EXPECT_EQ(figures.rmse, infinity);
+  EXPECT_EQ(figures.psnr, -infinity);
+  const Image same = test::flat(2, 2, nan, infinity, 0.5f);
+  EXPECT_EQ(error_figures(same, same).rmse, 0);
+  EXPECT_EQ(count_not_finite(same), 4u);
+  EXPECT_EQ(count_not_finite(test::flat(2, 2, 1, 3e38f, -1)), 0u);
 }
 
 TEST(Metrics, LumaIsClamped) {

@@ -1,11 +1,13 @@
 #include "app/check/check_command.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
+#include "geometry/precision.hpp"
 #include "support.hpp"
 
 namespace penumbra {
@@ -30,6 +32,32 @@ Checked check(const CheckOptions& options) {
   std::free(out_text);
   std::free(error_text);
   return result;
+}
+
+// The warning about a scene.
+std::string warning_of(const std::string& text) { return precision_warning(scene_of(text)); }
+
+TEST(Check, warnsOfWhatSinglePrecisionCannotHold) {
+  const std::string room = "light 0 9 0 1 1 1\nbox -20 -1 -20 20 0 20\n" + ball;
+  for (const char* near :
+       {"", "translate 100 0 0\n", "translate 0 0 -10000\n", "scale 1e-9 1e-9 1e-9\n", "scale 1e9 1e9 1e9\n"}) {
+    EXPECT_EQ(warning_of(near + room), "") << near;
+  }
+  EXPECT_EQ(warning_of("translate 0 1e6 0\n" + room),
+            "the sphere at 0 1e+06 -4 is 2 wide, but numbers of single precision, in which pictures are computed, are "
+            "0.0625 apart there: move the scene to the origin");
+  EXPECT_NE(warning_of("translate 1e8 0 0\n" + room).find("box at 1e+08"), std::string::npos);
+  EXPECT_NE(warning_of("translate 1e8 0 0\n" + room).find("(and so for 1 more)"), std::string::npos);
+  EXPECT_NE(warning_of(light + ball + "named_object b\ntranslate 0 0 -1e6\ninstance b\n").find("instance"),
+            std::string::npos);
+  EXPECT_NE(warning_of(light + "translate 1e6 0 0\n" + triangle).find("the triangles at 1e+06"), std::string::npos);
+  // Fine triangles of a large mesh, and a huge floor, are no reason.
+  std::string strip = light;
+  for (int i = 0; i < 1000; i++) {
+    strip += fmt::format("begin\nvertex {0} 0 5\nvertex {0} 1e-5 5\nvertex {1} 0 5\nend\n", i * 1e-5, (i + 1) * 1e-5);
+  }
+  EXPECT_EQ(warning_of(strip), "");
+  EXPECT_EQ(warning_of(light + "box -1e6 -2e6 -1e6 1e6 -1 1e6\n" + ball), "");
 }
 
 TEST(Check, saysWhatIsInAScene) {
@@ -112,6 +140,12 @@ TEST(Check, hasAnExitCodeForEachCase) {
   lenient.picture.lenient = true;
   result = check(lenient);
   EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
+
+  std::ofstream(path) << light << "translate 1e6 0 0\n" << ball;
+  result = check({.scene = path});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.errors.find(path.string() + ": warning: the sphere at 1e+06 0 -4"), std::string::npos);
   EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
 
   std::ofstream(path) << "read no-such-file.cli\n";

@@ -276,6 +276,13 @@ TEST(Warnings, aboutWhatIsOdd) {
   expect_told({
       {ball, "s.cli: warning: there is no light in this picture\n"},
       {light, "s.cli: warning: there is no object in this picture\n"},
+      {light + ball + "uvw 1 0 0 0 1 0 0 0 -1\n",
+       "s.cli:3:1: warning: the vectors of `uvw` are left-handed: the picture is mirrored\n"
+       "  uvw 1 0 0 0 1 0 0 0 -1\n  ^~~\n"},
+      {light + ball + "uvw 1 0 0 .1 1 0 0 0 3\n",
+       "s.cli:3:1: warning: the vectors of `uvw` are not at right angles: the picture is sheared\n"
+       "  uvw 1 0 0 .1 1 0 0 0 3\n  ^~~\n"},
+      {light + ball + "uvw .71 0 -.70 0 1 0 .71 0 .7\nuvw 2e20 0 0 0 1e-30 0 0 0 1\n", ""},
       {ball + "write a.png\n", "s.cli:2:1: warning: there is no light in this picture\n  write a.png\n  ^~~~~\n"},
       {light + ball + "push\n",
        "s.cli:3:1: warning: this `push` is left open: there is no `pop` for it\n  push\n  ^~~~\n"},

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/check/check_command.hpp"
 #include "support.hpp"
 
 namespace penumbra {
@@ -24,13 +25,20 @@ TEST(Reference, everySceneIsRead) {
     const bool of_2018 = path.string().find("-2018-") != std::string::npos;
     const auto courses = of_2018 ? std::vector{Course::year_2018} : std::vector{Course::off, Course::any_year};
     for (const Course course : courses) {
-      const SceneFile file = read_scene(path, {.course = course});
+      const SceneFile file = read_and_examine(path, {.course = course});
       EXPECT_FALSE(has_error(file.diagnostics)) << told(file);
       EXPECT_GE(pictures(file).size(), 1u) << path;
       EXPECT_TRUE(file.diagnostics.empty()) << "an unexpected warning: " << told(file);
     }
   }
   EXPECT_GT(scenes, 0);
+}
+
+TEST(Reference, theScenesOfThisProgramAreFreeOfWarnings) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(PENUMBRA_ROOT) / "scenes")) {
+    if (entry.path().extension() != ".cli") continue;
+    EXPECT_EQ(told(read_and_examine(entry.path(), {})), "");
+  }
 }
 
 TEST(Reference, theBunnyIsOneGroup) {

@@ -42,9 +42,10 @@ const std::map<std::string_view, std::vector<std::string>> examples = {
     {"sampler-light", {"regular"}},
     {"crop", {"1,2,30,40"}},
     {"noise", {"0.01", "1e-05", "1"}},
+    {"first-rays", {"16", "65536"}},
     {"shutter", {"-0.5,0.25", "0.1,0.1"}},
     {"time", {"0.1", "-1000000"}},
-    {"frames", {"0-0", "3-17", "3-17x4"}},
+    {"frames", {"0-0", "5", "3-17", "3-17x4"}},
     {"frame", {"0", "999999"}},
     {"lens", {"0,5", "0.1,0.30000000000000004"}},
     {"disk-radius", {"0", "1:0.25", "0.5,1:0.25"}},
@@ -161,9 +162,11 @@ TEST(OptionTable, TheCommandLineTakesEveryRow) {
     if (!row.metavar.empty() && !row.value_is_optional) words.push_back(text);
     if (row.name == "frame") words.insert(words.end(), {"--frames", "0-999999"});
     if (row.name == "noise") words.insert(words.end(), {"--rays", "4"});
+    if (row.name == "first-rays") words.insert(words.end(), {"--noise", "0.1"});
     PictureOptions asked = test::parse_command(render_subcommand, words);
     if (row.name == "frame") asked.frames.reset();
     if (row.name == "noise") asked.rays.reset();
+    if (row.name == "first-rays") asked.noise.reset();
     EXPECT_EQ(asked, parsed(row, text)) << row.name << ' ' << text;
   });
 }
@@ -188,9 +191,10 @@ TEST(OptionTable, WrongTextsAreRefusedWithASentence) {
       {"reflection-rays", {"0", "65537"}},
       {"crop", {"0,0,0,1", "1,1,1", "-1,0,1,1"}},
       {"noise", {"0", "nan", "2"}},
+      {"first-rays", {"15", "65537", "x"}},
       {"shutter", {"1,0", "0", "0,inf"}},
       {"time", {"inf", "x", "1e7"}},
-      {"frames", {"3", "4-3", "1-2x0", "-1-2", "0-1000000"}},
+      {"frames", {"", "3x2", "3-", "4-3", "1-2x0", "-1-2", "0-1000000"}},
       {"lens", {"1", "-1,2", "1,0", "nan,1"}},
       {"gloss", {"-1", "0:1", "1:2:3", ""}},
       {"without", {"fog"}},

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/render/render_command.hpp"
 #include "base/command_line.hpp"
@@ -63,6 +64,33 @@ TEST_F(NoiseOption, RefusesWhatIsNoGood) {
     EXPECT_THROW(render({"--noise", error, "-o", picture_}), test::WrongUse) << error;
   }
   EXPECT_THROW(render({"--noise", "0.1", "--rays", "3", "-o", picture_}), test::WrongUse);
+}
+
+// Dots that cover a hundredth of a pixel: the first round has to be told to look closely.
+TEST_F(NoiseOption, FindsSmallObjectsWithMoreFirstRays) {
+  std::ofstream dots(scene_);
+  dots << "image_size 64 64\ndiffuse 0 0 0 5 5 5\n";
+  for (int y = -7; y <= 7; y++) {
+    for (int x = -7; x <= 7; x++) dots << "sphere 0.004 " << x * 0.29 + 0.01 << ' ' << y * 0.29 + 0.02 << " -4\n";
+  }
+  dots.close();
+  ASSERT_EQ(render({"--rays", "16384", "-o", picture_}), 0);
+  const auto mean = [this] {
+    const ImageFile file = read_image(picture_);
+    const auto& rgb = file.image.rgb;
+    return std::accumulate(rgb.begin(), rgb.end(), 0.0) / static_cast<double>(rgb.size());
+  };
+  const double truth = mean();
+  ASSERT_EQ(render({"--noise", "0.02", "-o", picture_}), 0);
+  EXPECT_NE(printed_.find("may miss 225 small objects, and --noise then sends no more there: --first-rays 512"),
+            std::string::npos)
+      << printed_;
+  EXPECT_LT(mean(), 0.7 * truth);
+  ASSERT_EQ(render({"--noise", "0.02", "--first-rays", "512", "-o", picture_}), 0);
+  EXPECT_EQ(printed_.find("small object"), std::string::npos) << printed_;
+  EXPECT_NEAR(mean(), truth, 0.05 * truth);
+  ASSERT_EQ(render({"--noise", "0.1", "-o", picture_}), 0);
+  EXPECT_EQ(printed_.find("small object"), std::string::npos) << "such dots do not matter there: " << printed_;
 }
 
 // Patterns with a fixed number of rays cannot be extended.

@@ -64,6 +64,54 @@ TEST_F(CheckpointOption, ThreadsAndFilesMayChange) {
   EXPECT_EQ(others(), (Words{"other.png", "picture.exr"}));
 }
 
+// The samples of a sequence do not depend on how many there will be.
+TEST_F(CheckpointOption, MoreRaysGoOnFromFewer) {
+  for (const char* sampler : {"random", "halton", "sobol", "bluenoise"}) {
+    const Words arguments = {"--sampler", sampler, "--aov", "depth,variance"};
+    const std::string whole = unbroken(arguments + Words{"--rays", "75"}).first;
+    ASSERT_EQ(resume(arguments + Words{"--rays", "20", "--keep-checkpoint"}), 0) << said();
+    ASSERT_TRUE(std::filesystem::exists(checkpoint_));
+    ASSERT_EQ(run(Words{"render", scene_, "-o", picture_, "--checkpoint", checkpoint_, "--resume", "--rays", "75",
+                        "--stats", path("stats")} +
+                  arguments),
+              0)
+        << said();
+    EXPECT_TRUE(content_of(picture_) == whole) << sampler;
+    EXPECT_EQ(others(), (Words{"picture.exr", "stats"}));
+  }
+  begin(long_render_);
+  ASSERT_EQ(
+      render({"--rays", "2000000", "--checkpoint", checkpoint_, "--resume", "--time-limit", "0.1s", "-o", picture_}),
+      75)
+      << "an unfinished one, too";
+  EXPECT_EQ(resume(long_render_), 65) << "nothing goes back to fewer";
+}
+
+TEST_F(CheckpointOption, MoreRaysAreRefusedWhereThePatternDependsOnTheirNumber) {
+  for (const Words& arguments :
+       {Words{"--rays", "9", "--sampler", "jittered"}, Words{"--rays", "9", "--sampler", "poisson"},
+        Words{"--rays", "1"}, Words{"--rays", "9", "--sampler-light", "regular"},
+        Words{"--rays", "16", "--noise", "0.5"}}) {
+    ASSERT_EQ(render(arguments + Words{"--checkpoint", checkpoint_, "--keep-checkpoint", "-o", picture_}), 0) << said();
+    Words more = arguments;
+    more[1] = "25";
+    EXPECT_EQ(resume(more), 65);
+    EXPECT_NE(said().find("with --sampler random, halton, sobol, bluenoise"), std::string::npos) << said();
+  }
+}
+
+// A kept checkpoint is of the last picture: the ones before it have to be rendered again.
+TEST_F(CheckpointOption, MoreRaysForSeveralPictures) {
+  put_content(scene_, scene_text(4) + "write first.png\nlight 0 9 9 .1 .1 .1\nwrite second.png\n");
+  ASSERT_EQ(render({"--rays", "40", "-o", path("whole.exr")}), 0);
+  ASSERT_EQ(resume({"--rays", "20", "--keep-checkpoint"}), 0);
+  ASSERT_EQ(resume({"--rays", "40"}), 0) << said();
+  for (const char* number : {"-1", "-2"}) {
+    EXPECT_TRUE(content_of(path("picture" + std::string(number) + ".exr")) ==
+                content_of(path("whole" + std::string(number) + ".exr")));
+  }
+}
+
 TEST_F(CheckpointOption, ADamagedOneGivesWayToTheOneBefore) {
   const Words arguments = {"--rays", "600"};
   const std::string whole = unbroken(arguments).first;
@@ -121,6 +169,7 @@ TEST_F(CheckpointOption, ReplacesNothingButCheckpoints) {
 TEST_F(CheckpointOption, WrongWords) {
   for (const Words& wrong : {Words{"--resume"},
                              {"--every", "5s"},
+                             {"--keep-checkpoint"},
                              {"--checkpoint", checkpoint_, "--every", "0s"},
                              {"--time-limit", "soon"},
                              {"--time-limit", "5x"},

@@ -19,7 +19,7 @@ std::vector<std::byte> example(const Setting& setting) {
   StoppingKernel::stop_in_call(4 * 9 + 3);
   render->run(state);
   EXPECT_FALSE(render->is_finished());
-  return encode_checkpoint(setting.key, {{1, 2, 3, 4}, 5.5}, *render);
+  return encode_checkpoint(setting.key, {{{1, 2, 3, 4}, {7, 6, 5, 4}}, 5.5}, *render);
 }
 
 class CheckpointFile : public testing::Test {
@@ -44,6 +44,8 @@ TEST_F(CheckpointFile, TellsWhatItIs) {
   const Checkpoint checkpoint(good_, "c");
   EXPECT_EQ(difference(checkpoint.key(), setting_.key), "");
   EXPECT_EQ(checkpoint.spent().rays.total(), 10u);
+  EXPECT_EQ(checkpoint.spent().rays.not_finite.count, 7u);
+  EXPECT_EQ(checkpoint.spent().rays.not_finite.sample, 4u);
   EXPECT_EQ(checkpoint.spent().seconds, 5.5);
 }
 
@@ -68,7 +70,7 @@ TEST_F(CheckpointFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_of({}), "`c` is not a checkpoint");
   std::vector<std::byte> bad = good_;
   bad[12] = std::byte{9};
-  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, but this program knows only format 3");
+  EXPECT_EQ(error_of(bad), "`c` is a checkpoint of format 9, but this program knows only format 4");
   bad = good_;
   bad[100] ^= std::byte{1};
   EXPECT_EQ(error_of(bad), "`c` is a damaged checkpoint: block 1 at byte 16 of " + std::to_string(bad.size()) +

@@ -46,6 +46,25 @@ TEST_F(FrameTest, haveAsManyDigitsAsTheLastNumber) {
   EXPECT_EQ(others(), Words{"out.00007.png"});
 }
 
+TEST_F(FrameTest, haveTheirNumberWhereTheNameSaysSo) {
+  ASSERT_EQ(render({"--frames", "5", "-o", path("a.##.b.png"), "-o", path("%03d.png"), "-o", path("c%d_####.png")}), 0);
+  EXPECT_EQ(others(), (Words{"005.png", "a.05.b.png", "c5_####.png"}));
+  put_content(scene_, animated + "write " + path("s%06d.png") + "\n");
+  ASSERT_EQ(render({"--frames", "12-12"}), 0) << said();
+  EXPECT_TRUE(std::filesystem::exists(path("s000012.png")));
+  ASSERT_EQ(render({"-o", path("still-####.png")}), 0) << said();
+  EXPECT_TRUE(std::filesystem::exists(path("still-####.png"))) << "a still picture has no number";
+}
+
+TEST_F(FrameTest, haveTheirNumberInMergedNamesToo) {
+  for (const char* shard : {"0/2", "1/2"}) {
+    const std::string part = path(std::string("part") + shard[0] + "-####.exr");
+    ASSERT_EQ(render({"--frames", "0-9", "--frame", "7", "--shard", shard, "-o", part}), 0) << said();
+  }
+  ASSERT_EQ(run({"merge", path("part0-0007.exr"), path("part1-0007.exr"), "-o", path("all.####.png")}), 0) << said();
+  EXPECT_TRUE(std::filesystem::exists(path("all.0007.png"))) << said();
+}
+
 TEST_F(FrameTest, canBeSomeOfAnAnimationAndAreTheSame) {
   ASSERT_EQ(render_frames({"--frames", "0-10"}), 0) << said();
   const std::string fourth = content_of(file("0004"));
@@ -182,8 +201,8 @@ TEST_F(FrameTest, areReadBeforeTheFirstIsRendered) {
 }
 
 TEST_F(FrameTest, haveOptionsThatGoTogether) {
-  for (const char* wrong : {"3", "3-", "-3", "3-1", "1-3x", "1-3x0", "1-3x-1", "a-b", "1-3y2", "1-1000000", " 1-3",
-                            "1 -3", "99999999999-999999999999", ""}) {
+  for (const char* wrong : {"3-", "-3", "3-1", "1-3x", "1-3x0", "1-3x-1", "a-b", "1-3y2", "1-1000000", " 1-3", "1 -3",
+                            "99999999999-999999999999", ""}) {
     EXPECT_NE(usage_error({"--frames", wrong}).find("--frames"), std::string::npos) << wrong;
   }
   EXPECT_NE(usage_error({"--frames", "1-3", "--frame", "4"}).find("4 is not one of the frames 1-3"), std::string::npos);

@@ -9,6 +9,7 @@
 
 #include "app/check/lens_table.hpp"
 #include "app/options/shared_options.hpp"
+#include "geometry/precision.hpp"
 
 namespace penumbra {
 namespace {
@@ -66,9 +67,8 @@ std::string describe_lights(const Scene& scene) {
 }
 
 std::string describe_camera(const Camera& camera) {
-  const double length_of_back = length(camera.back);
   std::string text = fmt::format("eye {}, looking along {}, fov {:g}", triple(camera.eye),
-                                 triple(-camera.back / length_of_back), camera.fov_degrees);
+                                 triple(-normalize(camera.back)), camera.fov_degrees);
   text += camera.lens_radius > 0
               ? fmt::format(", lens of radius {:g} focused at {:g}", camera.lens_radius, camera.focus_distance)
               : ", pinhole";
@@ -117,6 +117,19 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
 
 }  // namespace
 
+SceneFile read_and_examine(const std::string& scene, const ReadOptions& options) {
+  SceneFile file = read_scene(scene, options);
+  const auto last = std::find_if(file.actions.rbegin(), file.actions.rend(),
+                                 [](const Action& action) { return std::holds_alternative<Picture>(action); });
+  if (last == file.actions.rend()) return file;
+  Diagnostic warning;
+  warning.severity = Severity::warning;
+  warning.file = file.files.front();
+  warning.message = precision_warning(*std::get<Picture>(*last).scene);
+  if (!warning.message.empty()) file.diagnostics.push_back(warning);
+  return file;
+}
+
 std::string describe(const SceneFile& file) {
   std::string text;
   for (const std::string& name : file.files) text += fmt::format("read: {}\n", name);
@@ -142,16 +155,17 @@ std::string describe(const SceneFile& file) {
 
 Subcommand check_subcommand(CheckOptions& options) {
   Subcommand check{"check", "Read a scene and describe it, or report its errors", {}, {}, {}, {}, {}, {}};
-  check.options = {{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
-                   picture_option(options.picture, "course"),
-                   picture_option(options.picture, "lenient")};
+  check.options = {
+      {"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
+      picture_option(options.picture, "course"),
+      picture_option(options.picture, "lenient")};
   check.run = [&options] { return check_command(options); };
   return check;
 }
 
 int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors) {
   const SceneFile file =
-      read_scene(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
+      read_and_examine(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
   for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;

@@ -22,6 +22,9 @@ Subcommand check_subcommand(CheckOptions& options);
 // if the scene has errors, 66 if the file does not exist.
 int check_command(const CheckOptions& options, std::FILE* out = stdout, std::FILE* errors = stderr);
 
+// Reads a scene file, and adds the warnings about what is in it to those about how it is written.
+SceneFile read_and_examine(const std::string& scene, const ReadOptions& options);
+
 // The summary: files, pictures, and what each picture shows. Several lines, each ended by a newline.
 std::string describe(const SceneFile& file);
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "geometry/leaf.hpp"
+#include "geometry/object_bounds.hpp"
 
 namespace penumbra {
 namespace {
@@ -21,40 +21,6 @@ bool knows_focal_length(const Camera& camera) { return camera.f_number > 0; }
 double image_distance(double focal_length, double distance) {
   return focal_length * distance / (distance - focal_length);
 }
-
-// The bounding boxes of objects at one time, in the space of the group that holds them. The box of a definition is
-// computed once; instances transform that box.
-class ObjectBounds {
- public:
-  ObjectBounds(const Scene& scene, double time) : scene_(scene), time_(time), definitions_(scene.definitions.size()) {}
-
-  Bounds of(const Object& object) {
-    const Affine& placement = scene_.placements[object.placement];
-    const Bounds at_time_0 = std::visit([&](const auto& shape) { return of_shape(shape, placement); }, object.shape);
-    return is_empty(at_time_0) ? at_time_0 : shift(at_time_0, object.motion * time_);
-  }
-
- private:
-  template <AnalyticShape Shape>
-  Bounds of_shape(const Shape& shape, const Affine& placement) {
-    return transformed_bounds(placement, shape);
-  }
-  Bounds of_shape(const TriangleRange& range, const Affine&) { return bounds_of(*scene_.triangles, range); }
-  Bounds of_shape(const std::shared_ptr<const Group>& group, const Affine&) {
-    Bounds bounds;
-    for (const Object& member : group->objects) bounds = include(bounds, of(member));
-    return bounds;
-  }
-  Bounds of_shape(const Instance& instance, const Affine& placement) {
-    std::optional<Bounds>& definition = definitions_[instance.definition];
-    if (!definition) definition = of(scene_.definitions[instance.definition]);
-    return transform(placement, *definition);
-  }
-
-  const Scene& scene_;
-  double time_;
-  std::vector<std::optional<Bounds>> definitions_;
-};
 
 std::string describe_shape(const Shape& shape) {
   if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&shape)) {

@@ -34,6 +34,9 @@ void print_table(const CompareOptions& options, const Comparison& comparison) {
   print_row("largest difference", fmt::format("{:.6g}", comparison.max_difference));
   const std::string beyond = fmt::format("pixels beyond {:g}", options.thresholds.fail);
   print_row(beyond, percentage(comparison.pixels_beyond, pixels));
+  if (comparison.not_finite_a + comparison.not_finite_b > 0) {
+    print_row("pixels not finite", fmt::format("A {}, B {}", comparison.not_finite_a, comparison.not_finite_b));
+  }
   for (const LayerComparison& layer : comparison.layers) {
     print_row(fmt::format("layer {}", layer.name),
               fmt::format("largest difference {:.6g}, beyond {}", layer.max_difference,
@@ -64,6 +67,7 @@ Json json_for(const CompareOptions& options, const Comparison& comparison) {
   json["pixels_beyond"] = comparison.pixels_beyond;
   json["percent_beyond"] =
       100 * static_cast<double>(comparison.pixels_beyond) / static_cast<double>(comparison.pixel_differences.size());
+  json["pixels_not_finite"] = Json::object({{"a", comparison.not_finite_a}, {"b", comparison.not_finite_b}});
   for (const LayerComparison& layer : comparison.layers) {
     json["layers"][layer.name] =
         Json::object({{"max_difference", layer.max_difference}, {"pixels_beyond", layer.pixels_beyond}});
@@ -109,7 +113,9 @@ std::string take_threshold(std::string_view text, double& threshold) {
 
 Subcommand compare_subcommand(CompareOptions& options) {
   Subcommand compare{"compare", "Measure the difference between two pictures", {}, {}, {}, {}, {}, {}};
-  compare.footer = "Exit codes: 0 same, 1 warning, 2 failed, 3 different sizes, 4 no such file.";
+  compare.footer =
+      "A value that is infinite or NaN in one picture only makes the mean error and the RMSE infinite.\n\n"
+      "Exit codes: 0 same, 1 warning, 2 failed, 3 different sizes, 4 no such file.";
   compare.options = {{"A", "FILE", "A picture, PNG or EXR", into(options.a), Times::once, true},
                      {"B", "FILE", "The picture to compare it with", into(options.b), Times::once, true}};
   const auto add_threshold = [&compare](const char* name, double& value, const char* help) {

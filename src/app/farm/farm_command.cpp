@@ -12,6 +12,7 @@
 
 #include "app/merge/part_file.hpp"
 #include "app/options/shared_options.hpp"
+#include "app/render/outputs.hpp"
 #include "base/atomic_file.hpp"
 #include "farm/slurm.hpp"
 #include "farm/status.hpp"
@@ -60,9 +61,10 @@ CommandOption keeping_words(CommandOption option, const std::string& name, std::
 
 // `submit` takes the options of `render`, except those that the shard script sets or that do not apply to shards.
 Subcommand submit_subcommand(FarmSubmitOptions& options) {
-  constexpr std::array<std::string_view, 14> own = {
-      "--checkpoint", "--every", "--resume", "--time-limit",  "--shard", "--scene-hash", "--progress",
-      "--stats",      "--quiet", "--video",  "--debug-pixel", "--fps",   "--time",       "--frame"};
+  constexpr std::array<std::string_view, 15> own = {
+      "--keep-checkpoint", "--checkpoint",  "--every",    "--resume", "--time-limit",
+      "--shard",           "--scene-hash",  "--progress", "--stats",  "--quiet",
+      "--video",           "--debug-pixel", "--fps",      "--time",   "--frame"};
   constexpr std::array<std::string_view, 3> of_job = {"SCENE", "-o,--output", "--frames"};
   const auto is_among = [](const auto& names, const CommandOption& option) {
     return std::find(names.begin(), names.end(), option.name) != names.end();
@@ -92,7 +94,12 @@ Subcommand submit_subcommand(FarmSubmitOptions& options) {
   submit.options.push_back(
       {"--folder", "FOLDER", "The job folder, which all nodes must see [OUT.farm]", into(options.folder)});
   submit.options.push_back({"--dry-run", "", "Write the scripts and submit nothing [off]", into(options.dry_run)});
-  submit.check = render.check;
+  submit.check = [&options, check = render.check] {
+    if (options.render.scene == standard_input || has_standard_output(options.render.outputs)) {
+      return std::string("SCENE, -o: the machines of the cluster read and write files, not the pipes of this command");
+    }
+    return check();
+  };
   return submit;
 }
 

@@ -3,11 +3,25 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
+#include <cstdlib>
+
 #include "app/merge/part_file.hpp"
+#include "app/render/outputs.hpp"
 #include "image/image_file.hpp"
 
 namespace penumbra {
 namespace {
+
+// The outputs, with the number of the frame where they have a place for it.
+std::vector<std::string> outputs_of(const MergeOptions& options, const Part& part) {
+  std::vector<std::string> outputs = options.outputs;
+  const std::string frame = value_of("frame", part.header().key);
+  if (frame == not_given) return outputs;
+  for (std::string& output : outputs) {
+    output = with_frame_in_pattern(output, std::atoi(frame.c_str())).value_or(output).string();
+  }
+  return outputs;
+}
 
 // Returns the exit code: 0, or 65 or 66 if a part is missing, damaged, duplicated or of another picture. Nothing is
 // written unless it is 0. Throws FileError.
@@ -24,7 +38,7 @@ int merge_parts(const MergeOptions& options) {
       exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
     }
   }
-  if (exit_code == 0) write_merged(files.parts, options.outputs, options.quiet);
+  if (exit_code == 0) write_merged(files.parts, outputs_of(options, files.parts.front()), options.quiet);
   return exit_code;
 }
 
@@ -33,8 +47,9 @@ int merge_parts(const MergeOptions& options) {
 Subcommand merge_subcommand(MergeOptions& options) {
   Subcommand merge{"merge", "Merge the parts that `render --shard` wrote", {}, {}, {}, {}, {}, {}};
   merge.options = {{"PART", "FILE", "The parts of one picture, in any order", into(options.parts), Times::many, true},
-                   {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated",
-                    into(options.outputs), Times::repeated, true},
+                   {"-o,--output", "FILE",
+                    "A file for the picture, .png or .exr, or - for a PNG on standard output; may be repeated",
+                    into_outputs(options.outputs), Times::repeated, true},
                    {"--quiet", "", "Print nothing but errors [off]", into(options.quiet)}};
   merge.check = [&options] {
     for (const std::string& output : options.outputs) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/options/shared_options.hpp"
+#include "app/render/outputs.hpp"
 #include "app/render/render_command.hpp"
 #include "base/parse.hpp"
 #include "image/image_file.hpp"
@@ -60,6 +61,9 @@ std::vector<CommandOption> session_options(RenderSessionOptions& options) {
   return {
       {"--checkpoint", "FILE", "Save the progress of the render here at regular times [no]", into(options.checkpoint)},
       {"--every", "TIME", "Time between two checkpoints: 30s, 5m, 2h [30s]", into_seconds(options.every)},
+      {"--keep-checkpoint", "",
+       "Keep the checkpoint of a finished picture: --resume with more --rays goes on from it [off]",
+       into(options.keep_checkpoint)},
       {"--resume", "", "Resume from the checkpoint, if there is one; skip frames that are finished [off]",
        into(options.resume)},
       {"--time-limit", "TIME", "After this time, write picture and checkpoint as they stand, exit code 75 [none]",
@@ -84,6 +88,7 @@ std::string check_frames(const RenderOptions& options) {
   if (std::filesystem::path(options.video).extension() != ".mp4") {
     return fmt::format("--video: `{}` does not end in .mp4", options.video);
   }
+  if (has_standard_output(options.outputs)) return "--video: it is made from the files of the frames; name one with -o";
   if (options.frame) return "--video: a video is made of all frames; leave out --frame";
   if (options.session.shard) return "--video: a shard is only a part of each frame; leave out --video";
   return {};
@@ -92,6 +97,7 @@ std::string check_frames(const RenderOptions& options) {
 std::string check_session(const RenderOptions& options) {
   const RenderSessionOptions& session = options.session;
   if (session.every && session.checkpoint.empty()) return "--every: it needs --checkpoint";
+  if (session.keep_checkpoint && session.checkpoint.empty()) return "--keep-checkpoint: it needs --checkpoint";
   if (session.resume && session.checkpoint.empty() && !session.animation) {
     return "--resume: there is nothing to resume without --checkpoint or --frames";
   }
@@ -122,6 +128,7 @@ std::string check_noise(const RenderOptions& options) {
   if (options.noise && options.rays && *options.rays < static_cast<int>(fewest_adaptive_rays)) {
     return fmt::format("--rays: with --noise it is the most rays a pixel gets, at least {}", fewest_adaptive_rays);
   }
+  if (options.first_rays && !options.noise) return "--first-rays: it needs --noise";
   if (options.noise && options.regular_lights) {
     return "--sampler-light: a regular set needs a fixed number of rays; leave out --noise";
   }
@@ -144,9 +151,10 @@ Subcommand render_subcommand(RenderOptions& options) {
   const auto add = [&all](std::vector<CommandOption> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add({{"SCENE", "FILE", "The scene file (.cli)", into(options.scene), Times::once, true},
-       {"-o,--output", "FILE", "A file for the picture, .png or .exr; may be repeated", into(options.outputs),
-        Times::repeated}});
+  add({{"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
+       {"-o,--output", "FILE",
+        "A file for the picture, .png or .exr, or - for a PNG on standard output; may be repeated",
+        into_outputs(options.outputs), Times::repeated}});
   add(picture_options(options, false));
   add({{"--debug-pixel", "x,y,sample",
         "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",

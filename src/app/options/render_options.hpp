@@ -19,6 +19,7 @@ inline constexpr double longest_duration = 1e8;            // seconds
 struct RenderSessionOptions {
   std::string checkpoint;            // the file; empty: none
   std::optional<double> every;       // seconds between two checkpoints; none: 30
+  bool keep_checkpoint = false;      // when all is done
   bool resume = false;               // from the checkpoint, if there is one
   std::optional<double> time_limit;  // seconds
   std::optional<Shard> shard;

@@ -28,12 +28,16 @@ PictureJob picture_job(const RenderOptions& options, const SceneFile& file, cons
   return job;
 }
 
+NoiseGoal goal_of(const RenderOptions& options, const Settings& settings) {
+  return {static_cast<float>(*options.noise), static_cast<std::uint32_t>(settings.rays_per_pixel),
+          static_cast<std::uint32_t>(options.first_rays.value_or(0))};
+}
+
 std::unique_ptr<ResumableRender> render_of(const PictureJob& job, const RenderOptions& options, const Frame& frame,
                                            const Kernel& kernel) {
   const auto rays = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
   if (options.noise) {
-    return std::make_unique<AdaptiveRender>(frame, kernel, job.plan,
-                                            NoiseGoal{static_cast<float>(*options.noise), rays});
+    return std::make_unique<AdaptiveRender>(frame, kernel, job.plan, goal_of(options, frame.settings));
   }
   const bool in_passes = options.session.can_be_interrupted() && !options.session.shard;
   return std::make_unique<UniformRender>(frame, kernel, job.plan, rays, in_passes);

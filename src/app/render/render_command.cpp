@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "app/render/outputs.hpp"
 #include "app/render/picture_files.hpp"
 #include "app/render/picture_job.hpp"
 #include "app/render/progress.hpp"
@@ -19,6 +20,7 @@
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "rendering/ray_tree.hpp"
+#include "rendering/small_objects.hpp"
 
 namespace penumbra {
 namespace {
@@ -89,8 +91,9 @@ class RenderRun {
       if (std::holds_alternative<ResetTimer>(action)) {
         timer = Clock::now();
       } else if (std::holds_alternative<PrintTimer>(action)) {
-        fmt::print("seconds: {:.3f}\n", seconds_since(timer));
-        std::fflush(stdout);
+        std::FILE* const out = has_standard_output(asked_.outputs) ? stderr : stdout;
+        fmt::print(out, "seconds: {:.3f}\n", seconds_since(timer));
+        std::fflush(out);
       } else {
         const Files& files = outputs[static_cast<std::size_t>(number++)];
         const PictureJob job = picture_job(scenes_.options(), scenes_.file(), std::get<Picture>(action), number);
@@ -110,7 +113,7 @@ class RenderRun {
       return std::filesystem::exists(file, error);
     };
     if (!asked_.frames) {
-      return session_.has_finished(job.key.picture) && std::all_of(files.begin(), files.end(), exists);
+      return session_.has_finished(job.key) && std::all_of(files.begin(), files.end(), exists);
     }
     if (!asked_.session.resume) return false;
     const bool is_part = asked_.session.shard.has_value();
@@ -136,6 +139,7 @@ class RenderRun {
 
     const std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
     const std::uint64_t pixels = pixel_count(tiles_of(job.plan.crop, asked_.sample_counts()), job.plan.shard);
+    if (asked_.noise && !asked_.quiet) warn_of_small_objects(job, frame);
     RenderState state;
     bool finished = false;
     {
@@ -151,10 +155,29 @@ class RenderRun {
                  render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise);
     }
 
+    if (const NotFiniteSamples& wrong = session_.spent().rays.not_finite; wrong.count > 0 && !asked_.quiet) {
+      fmt::print(
+          stderr,
+          "penumbra: warning: {} of {} samples {} not finite and {} shown as the largest value, {:.6g}; the same "
+          "command with --debug-pixel {},{},{} shows the rays of the first\n",
+          wrong.count, session_.spent().rays[RayKind::eye], wrong.count == 1 ? "is" : "are",
+          wrong.count == 1 ? "is" : "are", frame.largest_color, wrong.x, wrong.y, wrong.sample);
+    }
+
     start = Clock::now();
     write(job, render->take_film(), finished, files, static_cast<double>(pixels));
     stats_.write_seconds += seconds_since(start);
     return finished;
+  }
+
+  void warn_of_small_objects(const PictureJob& job, const Frame& frame) const {
+    const std::uint32_t first = 1u << AdaptiveRules(goal_of(scenes_.options(), frame.settings), frame).first_level;
+    const SmallObjects small = small_objects(job.scene, *asked_.noise, first);
+    if (small.count == 0) return;
+    fmt::print(stderr,
+               "penumbra: warning: the first {} rays of each pixel may miss {} small object{}, and --noise then sends "
+               "no more there: --first-rays {} finds {}\n",
+               first, small.count, small.count == 1 ? "" : "s", small.rays, small.count == 1 ? "it" : "them");
   }
 
   void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) const {
@@ -217,7 +240,7 @@ class RenderRun {
 
 int render_command(const RenderOptions& options) {
   std::error_code error;
-  if (!std::filesystem::exists(options.scene, error)) {
+  if (options.scene != standard_input && !std::filesystem::exists(options.scene, error)) {
     fmt::print(stderr, "penumbra: there is no scene file `{}`\n", options.scene);
     return EX_NOINPUT;
   }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "app/check/check_command.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/render_checks.hpp"
 #include "base/atomic_file.hpp"
@@ -40,7 +41,7 @@ void SceneFrames::go_to(std::optional<int> frame) {
     read_options.moment = {static_cast<double>(of_range->frame), of_range->time_at(0)};
   }
   const auto start = std::chrono::steady_clock::now();
-  file_ = read_scene(options_.scene, read_options);
+  file_ = read_and_examine(options_.scene, read_options);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   is_read_ = true;
   read_frame_ = frame;

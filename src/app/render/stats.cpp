@@ -22,6 +22,7 @@ std::string to_json(const RenderStats& s) {
   for (std::size_t kind = 0; kind < ray_kind_count; kind++) json["rays"][ray_kind_names[kind]] = s.rays.counts[kind];
   json["rays_per_second"] = static_cast<double>(s.rays.total()) / std::max(s.render_seconds, 1e-9);
   json["samples"] = s.samples;
+  json["samples_not_finite"] = s.rays.not_finite.count;
   json["threads"] = s.threads;
   json["lanes"] = s.lanes;
   json["isa"] = s.isa;

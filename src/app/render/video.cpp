@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "base/atomic_file.hpp"
+#include "base/no_broken_pipe.hpp"
 #include "image/image_file.hpp"
 #include "image/quantize.hpp"
 
@@ -47,22 +48,6 @@ class OpenFile {
 
  private:
   int fd_;
-};
-
-// While it lives, writing to a program that has ended is an error instead of a signal.
-class NoBrokenPipe {
- public:
-  NoBrokenPipe() {
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    ::sigaction(SIGPIPE, &ignore, &old_);
-  }
-  ~NoBrokenPipe() { ::sigaction(SIGPIPE, &old_, nullptr); }
-  NoBrokenPipe(const NoBrokenPipe&) = delete;
-  NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
-
- private:
-  struct sigaction old_ {};
 };
 
 // The pixels as bytes r, g, b.

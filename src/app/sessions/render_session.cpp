@@ -1,15 +1,18 @@
 #include "app/sessions/render_session.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sysexits.h>
 
 #include <condition_variable>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <thread>
 
 #include "base/atomic_file.hpp"
+#include "sampling/pattern.hpp"
 
 namespace penumbra {
 namespace {
@@ -18,6 +21,16 @@ using Clock = RenderSession::Clock;
 
 Clock::duration to_duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+int rays_of(const PictureKey& key) { return std::atoi(value_of("rays", key).c_str()); }
+
+std::string patterns_without_count() {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < std::size(pattern_names); i++) {
+    if (!needs_count(static_cast<Pattern>(i))) names.push_back(pattern_names[i]);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 // Sets a flag at a given time, unless the alarm has gone out of scope by then.
@@ -86,12 +99,32 @@ void RenderSession::require_scene(const std::string& version, const ContentHash&
   checkpoint_->require(key);
 }
 
+bool RenderSession::has_finished(const PictureKey& key) const {
+  return checkpoint_ && key.picture < checkpoint_->key().picture && rays_of(key) == rays_of(checkpoint_->key());
+}
+
+void RenderSession::require_picture(const ResumableRender& render, PictureKey key) const {
+  const int rays = rays_of(checkpoint_->key());
+  if (rays < rays_of(key)) {
+    if (!render.can_go_on_from(static_cast<std::uint32_t>(rays))) {
+      throw FileError(EX_DATAERR,
+                      fmt::format("`{}` has {} rays per pixel, and cannot go on with {}: more rays are possible from 2 "
+                                  "on, without --noise and --sampler-light regular, with --sampler {}",
+                                  options_.checkpoint, rays, rays_of(key), patterns_without_count()));
+    }
+    for (auto& [name, value] : key.plan) {
+      if (name == "rays") value = std::to_string(rays);
+    }
+  }
+  checkpoint_->require(key);
+}
+
 bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& state) {
   if (const auto& shard = options_.shard)
     key.plan.emplace_back("shard", fmt::format("{}/{}", shard->index, shard->count));
   spent_ = {};
   if (checkpoint_ && is_same_picture(checkpoint_->key(), key)) {
-    checkpoint_->require(key);
+    require_picture(render, key);
     checkpoint_->restore(render);
     spent_ = checkpoint_->spent();
     checkpoint_.reset();
@@ -122,7 +155,10 @@ bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& st
     const bool is_saving = saving.valid() && saving.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     const bool ends = render.is_finished() || is_over();
     if (saving.valid() && (ends || !is_saving)) saving.get();
-    if (render.is_finished()) return true;
+    if (render.is_finished()) {
+      if (options_.keep_checkpoint) save(encode_checkpoint(key, spent_, render));
+      return true;
+    }
     if (ends) {
       if (saves) save(encode_checkpoint(key, spent_, render));
       return false;
@@ -165,7 +201,7 @@ std::string RenderSession::why() const {
 }
 
 void RenderSession::finish() {
-  if (!options_.checkpoint.empty()) remove_file_and_previous(options_.checkpoint);
+  if (!options_.checkpoint.empty() && !options_.keep_checkpoint) remove_file_and_previous(options_.checkpoint);
 }
 
 }  // namespace penumbra

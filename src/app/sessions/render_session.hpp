@@ -25,7 +25,7 @@ class RenderSession {
   // of the option of that name, `not given` without it.
   void require_scene(const std::string& version, const ContentHash& scene, const std::string& frames) const;
   // Whether earlier sessions have finished this picture of the scene.
-  bool has_finished(int picture) const { return checkpoint_ && picture < checkpoint_->key().picture; }
+  bool has_finished(const PictureKey& key) const;
 
   // Renders until the picture is finished or the session has to end. Returns whether it is finished; if not, the
   // checkpoint is written.
@@ -37,11 +37,13 @@ class RenderSession {
   // Why the session ended before the picture was finished, and how to resume it, for the user.
   std::string why() const;
 
-  // Removes the checkpoint; for when all pictures are written.
+  // Removes the checkpoint, unless it is to be kept; for when all pictures are written.
   void finish();
 
  private:
   void open_checkpoint();
+  // Throws FileError 65 unless the checkpoint is of this picture, with as many rays or with fewer that it goes on from.
+  void require_picture(const ResumableRender& render, PictureKey key) const;
   std::future<void> begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop);
   void save(std::span<const std::byte> bytes);
 

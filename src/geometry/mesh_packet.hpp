@@ -177,8 +177,9 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   hits.normal = select(nearer, normal, hits.normal);
   hits.surface = select(nearer, triangles.surface, hits.surface);
   hits.texture_point = select(nearer, point, hits.texture_point);
-  const auto index = static_cast<std::uint32_t>(&leaf - world.leaves.data());
-  hits.place = select(nearer, Ints(rays.first_place + index), hits.place);
+  // From the upper end, where no leaf has its place.
+  const Ints place = Ints(~rays.first_place) ^ (triangles.order & Ints(order_mask));
+  hits.place = select(nearer, place, hits.place);
   hits.slack = select(nearer, Floats(leaf.slack), hits.slack);
   hits.two_sided |= nearer;
   hits.found |= nearer;

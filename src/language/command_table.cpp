@@ -184,7 +184,7 @@ constexpr std::array table{
     Command{"cone", shapes, takes<x, y, z, cone_height, cone_slope>,
             "a cone that opens upwards from its apex x y z; at the height h its radius is k*h, and it is closed there",
             actions::cone, no},
-    Command{"mesh", shapes, Forms(form<file>, form<file, flat>),
+    Command{"mesh", shapes, either<form<file>, form<file, flat>>,
             "the triangles of an OBJ or PLY file, with the current matrix and surface; relative to the file that "
             "names it; flat: without its vertex normals",
             actions::mesh, no},

@@ -46,7 +46,7 @@ std::string read_all(int descriptor, std::uint64_t size, std::size_t expected, i
   return text;
 }
 
-LoadedFile failure(std::string problem) { return {{}, {}, std::move(problem)}; }
+LoadedFile failure(std::string problem) { return {{}, {}, std::move(problem), {}}; }
 
 // The name of the file in the folder of `path` that was probably meant; empty if none is near.
 std::string near_file(const std::filesystem::path& path) {

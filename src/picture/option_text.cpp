@@ -9,7 +9,7 @@ std::optional<AnimationRange> range_from(std::string_view text) {
   const std::size_t x = text.find('x');
   const std::string_view range = text.substr(0, x);
   std::vector<int> ends = whole_numbers(range, '-');
-  if (const auto one = number_from<int>(range)) ends = {*one, *one};
+  if (const auto one = number_from<int>(text)) ends = {*one, *one};
   const int step = x == text.npos ? 1 : number_from<int>(text.substr(x + 1)).value_or(0);
   if (ends.size() != 2 || ends[0] < 0 || ends[0] > ends[1] || ends[1] > last_possible_frame || step < 1) {
     return std::nullopt;

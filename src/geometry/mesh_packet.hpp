@@ -39,22 +39,26 @@ PENUMBRA_INLINE void store_half(std::uint32_t* p, Ints a, int half) {
 inline constexpr float tie_margin = 1.0f + 1.0f / (1 << 19);
 inline constexpr float light_margin = 1.0f - 1.0f / (1 << 15);
 
-PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, int half) {
-  Float3 origin = rays.origin;
-  Floats nearest = rays.nearest;
+// Embree cannot be told where rays start: they start off the surface, and see nothing for a few times as far.
+PENUMBRA_INLINE Rays rays_off_start(const World& world, const Rays& rays) {
+  Rays off = rays;
   if (rays.start) {
-    const RayStart& start = *rays.start;
-    origin = origin + *start.normal * select(start.inward, -start.error, start.error);
-    nearest = start.error * Floats(4);
+    const StartHere start = start_here(world, rays);
+    off.origin = rays.origin + start.normal * select(rays.start->inward, -start.error, start.error);
+    off.nearest = start.error * Floats(4);
   }
+  return off;
+}
+
+PENUMBRA_INLINE void fill(EmbreeRays& out, const Rays& rays, Floats farthest, int half) {
   if (rays.to_light) farthest = min(farthest, rays.light_distance * Floats(light_margin));
-  store_half(out.org_x, origin.x, half);
-  store_half(out.org_y, origin.y, half);
-  store_half(out.org_z, origin.z, half);
+  store_half(out.org_x, rays.origin.x, half);
+  store_half(out.org_y, rays.origin.y, half);
+  store_half(out.org_z, rays.origin.z, half);
   store_half(out.dir_x, rays.direction.x, half);
   store_half(out.dir_y, rays.direction.y, half);
   store_half(out.dir_z, rays.direction.z, half);
-  store_half(out.tnear, nearest, half);
+  store_half(out.tnear, rays.nearest, half);
   store_half(out.tfar, farthest, half);
   store_half(out.time, Floats(0), half);
   store_half(out.mask, Ints(0xffffffffu), half);
@@ -148,7 +152,7 @@ PENUMBRA_INLINE Mask find_in_mesh(const Mesh& mesh, const Rays& rays, Floats far
 inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& rays, Mask active, Hits& hits) {
   const Mesh& mesh = world.meshes[leaf.target];
   EmbreeHits query;
-  const Mask found = find_in_mesh(mesh, rays, hits.distance * Floats(tie_margin), active, query);
+  const Mask found = find_in_mesh(mesh, rays_off_start(world, rays), hits.distance * Floats(tie_margin), active, query);
   if (none(found)) return found;
 
   const MeshTriangles triangles = triangles_found(world, leaf, query.geometry, query.primitive, found);
@@ -195,13 +199,14 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
 // Which of the active rays meet a triangle of the mesh nearer than `farthest`.
 inline Mask occluded_mesh(const World& world, const Leaf& leaf, const Rays& rays, Floats farthest, Mask active) {
   const Mesh& mesh = world.meshes[leaf.target];
+  const Rays off = rays_off_start(world, rays);
   const Ints active_bits = lane_bits(active);
   alignas(64) float distance[lane_count] = {};
   for (int half = 0; half < 2; half++) {
     const std::size_t first = static_cast<std::size_t>(half) * vector_lanes;
     if ((bits(active) >> first & ((1u << vector_lanes) - 1u)) == 0) continue;
     alignas(64) EmbreeRays query;
-    fill(query, rays, farthest, half);
+    fill(query, off, farthest, half);
     alignas(64) std::uint32_t valid[vector_lanes];
     store_half(valid, active_bits, half);
     EmbreeContext context;

@@ -9,20 +9,20 @@ namespace penumbra::PENUMBRA_KERNEL {
 
 // Decides about crossings near the ends of the rays. Where one does not count, the next of the leaf may.
 template <typename Search>
-__attribute__((noinline)) inline void settle_ends(const GroupRays& g, std::uint32_t index, Wanted wanted,
-                                                  const Search& search, Crossing& crossing) {
+__attribute__((noinline)) inline Crossing settle_ends(const GroupRays& g, std::uint32_t index, Wanted wanted,
+                                                      Search search, Crossing crossing) {
   const Leaf& leaf = g.world.leaves[index];
-  const RayStart& start = *g.rays.start;
+  const StartHere start = start_here(g.world, g.rays);
   const Float3 direction = g.rays.direction;
   while (true) {
     const Floats t = crossing.distance;
     const Mask near_start = crossing.hit & ~wanted.inside & (t < -g.rays.nearest);
-    const Mask near_end = crossing.hit & Mask(g.rays.to_light) & (t > g.rays.light_distance * Floats(1 - end_share));
-    if (none(near_start | near_end)) return;
+    const Mask near_end = crossing.hit & Mask(g.rays.to_light) & (t > g.rays.light_distance * Floats(1 - light_share));
+    if (none(near_start | near_end)) return crossing;
     const Float3 normal = surface_of(g, leaf, t).normal;
     const Floats error = start.error + Floats(leaf.slack);
-    const Mask passed =
-        near_start & ~still_ahead(start, direction, {Ints(g.rays.first_place + index), leaf.passage, normal, t, error});
+    const Mask passed = near_start & ~still_ahead(*g.rays.start, start, direction,
+                                                  {Ints(g.rays.first_place + index), leaf.passage, normal, t, error});
     if (any(near_end)) {
       const Floats height = (g.rays.light_distance - t) * abs(dot(normal, direction));
       const Floats length = g.rays.light_distance * sqrt(dot(direction, direction));
@@ -30,7 +30,7 @@ __attribute__((noinline)) inline void settle_ends(const GroupRays& g, std::uint3
     }
     const Mask open = crossing.hit & passed;
     crossing.hit = crossing.hit & ~passed;
-    if (none(open)) return;
+    if (none(open)) return crossing;
     wanted.active = open;
     wanted.nearest = select(open, t, wanted.nearest);
     const Crossing next = cross_leaf(g, leaf, wanted, search);
@@ -45,21 +45,20 @@ template <typename Search>
 PENUMBRA_INLINE Crossing cross_from_start(const GroupRays& g, std::uint32_t index, Mask active, const Search& search) {
   const Leaf& leaf = g.world.leaves[index];
   Wanted wanted{active, Mask(false), g.rays.nearest};
-  if (g.rays.start) {
-    const Mask own = active & (g.rays.start->place == Ints(g.rays.first_place + index));
-    if (any(own)) {
-      if (leaf.kind != LeafKind::triangle) wanted.inside = own & g.rays.start->inward;  // a plane is not crossed twice
-      wanted.active = active & (~own | wanted.inside);
-      if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
-    }
+  const std::uint32_t place = g.rays.first_place + index;
+  if (g.rays.start && g.rays.start->any_at(place, active)) {
+    const Mask own = g.rays.start->place == Ints(place);
+    if (leaf.kind != LeafKind::triangle) wanted.inside = own & g.rays.start->inward;  // a plane is not crossed twice
+    wanted.active = active & (~own | wanted.inside);
+    if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
   }
   Crossing crossing = cross_leaf(g, leaf, wanted, search);
   crossing.hit = crossing.hit & wanted.active & search.wants(crossing, leaf);
   if (g.rays.start && any(crossing.hit)) {
     const Mask near_start = crossing.hit & (crossing.distance < -g.rays.nearest);
     const bool may_hold_light =
-        g.rays.to_light && any(crossing.distance > g.rays.light_distance * Floats(1 - end_share));
-    if (any(near_start) || may_hold_light) settle_ends(g, index, wanted, search, crossing);
+        g.rays.to_light && any(crossing.distance > g.rays.light_distance * Floats(1 - light_share));
+    if (any(near_start) || may_hold_light) return settle_ends(g, index, wanted, search, crossing);
   }
   return crossing;
 }

@@ -15,14 +15,17 @@ namespace penumbra::PENUMBRA_KERNEL {
 
 // A computed point is off by no more than this share of its largest coordinate.
 inline constexpr float rounding_share = 1.0f / (1 << 20);
-// A surface that touches an end of a ray is crossed within this share of the ray's scale, unless the ray grazes it by
-// less than the rounding error.
-inline constexpr float end_share = 1.0f / (1 << 8);
+// A surface that touches the start of a ray is crossed within this share of the ray's scale, one that holds its light
+// within this share of the distance to it, unless the ray grazes the surface.
+inline constexpr float start_share = 1.0f / (1 << 12);
+inline constexpr float light_share = 1.0f / (1 << 8);
 // Surfaces whose normals have at least this cosine lie on each other.
 inline constexpr float parallel_cosine = 0.9999f;
 
 struct RayStart {
-  Ints place;              // which surface: as in Hits
+  Ints place;      // which surface: as in Hits
+  bool one_place;  // the same one in all lanes: this one
+  std::uint32_t the_place;
   Ints previous;           // the place that the rays that arrived had started on
   const Float3* normal;    // of the surface, outward
   const Float3* incoming;  // the direction of the rays that arrived, of any length
@@ -31,6 +34,17 @@ struct RayStart {
   Mask inward;             // the rays leave to the side that the normal points away from
   Mask through;            // which is not the side that they came from
   Mask opaque, sheet;      // what the surface is
+
+  // Whether any of the rays start at a place.
+  PENUMBRA_INLINE bool any_at(std::uint32_t p, Mask active) const {
+    return one_place ? p == the_place : any(active & (place == Ints(p)));
+  }
+};
+
+// What depends on the space that the rays are seen in.
+struct StartHere {
+  Float3 normal, incoming;
+  Floats error;
 };
 
 PENUMBRA_INLINE Ints touch_rank(Passage passage, Mask leaving) {
@@ -54,21 +68,22 @@ PENUMBRA_INLINE Ints rank_passed(const RayStart& start) {
 }
 
 // Which rays still have the crossing ahead.
-PENUMBRA_INLINE Mask still_ahead(const RayStart& start, Float3 direction, const CrossingNearStart& crossing) {
+PENUMBRA_INLINE Mask still_ahead(const RayStart& start, const StartHere& here, Float3 direction,
+                                 const CrossingNearStart& crossing) {
   const Floats zero = Floats(0);
   const Float3 normal = crossing.normal;
   const Floats out = dot(normal, direction);
   const Floats height = crossing.distance * abs(out);
-  const Mask parallel = abs(dot(normal, *start.normal)) > Floats(parallel_cosine);
+  const Mask parallel = abs(dot(normal, here.normal)) > Floats(parallel_cosine);
   const Mask lies_on = parallel & (abs(height) <= crossing.error * Floats(4));
   Mask later = rank_passed(start) < touch_rank(crossing.passage, out > zero);
   if (crossing.passage == Passage::sheet) later |= start.opaque;
 
   const Mask beyond = crossing.distance > zero;
   const Mask came_from_it = crossing.place == start.previous;
-  const Mask same_way = out * dot(normal, *start.incoming) > zero;
-  const Floats arriving = dot(*start.normal, *start.incoming);
-  const Floats rise = dot(*start.normal, direction) * crossing.distance;
+  const Mask same_way = out * dot(normal, here.incoming) > zero;
+  const Floats arriving = dot(here.normal, here.incoming);
+  const Floats rise = dot(here.normal, direction) * crossing.distance;
   const Floats in_front = copysign(Floats(1), arriving) * (arriving * start.back - rise);
   const Mask rounded = (height >= -crossing.error) & (in_front > crossing.error * Floats(1.0f / 16)) &
                        ((same_way & ~came_from_it) | (~same_way & came_from_it));

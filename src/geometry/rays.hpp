@@ -21,13 +21,16 @@ struct Rays {
   // A shadow ray ends before the surfaces that its light lies in.
   bool to_light = false;
   Floats light_distance;
-  std::uint32_t first_place = 0;  // of the instances that the rays are inside of: Hits::place of leaf 0
+  // Inside of an instance: the rays outside of it, its leaf, and the place (Hits::place) of leaf 0.
+  const Rays* outer = nullptr;
+  const Leaf* instance = nullptr;
+  std::uint32_t first_place = 0;
 
   // Lets the rays start at a hit; `scale` is that of the coordinates and distances there.
   PENUMBRA_INLINE void leave(const RayStart& from, Float3 point, Floats scale) {
     start = &from;
     origin = point - *from.incoming * from.back;
-    nearest = scale * Floats(-end_share);
+    nearest = scale * Floats(-start_share);
   }
 };
 
@@ -76,6 +79,16 @@ PENUMBRA_INLINE Float3 multiply_transposed(const float* rows, Float3 v) {
   return {v.x * Floats(rows[0]) + v.y * Floats(rows[3]) + v.z * Floats(rows[6]),
           v.x * Floats(rows[1]) + v.y * Floats(rows[4]) + v.z * Floats(rows[7]),
           v.x * Floats(rows[2]) + v.y * Floats(rows[5]) + v.z * Floats(rows[8])};
+}
+
+// The start of rays, in their own space.
+inline StartHere start_here(const World& world, const Rays& rays) {
+  if (!rays.outer) return {*rays.start->normal, *rays.start->incoming, rays.start->error};
+  const StartHere outside = start_here(world, *rays.outer);
+  const Placement& placement = world.placements[rays.instance->placement];
+  return {normalize(multiply_transposed(placement.linear, outside.normal)),
+          multiply(placement.inverse, outside.incoming),
+          (outside.error + Floats(rays.instance->slack)) * Floats(placement.shrink)};
 }
 
 // The rays as the leaf sees them: its motion undone at each ray's time, then its placement.

@@ -14,32 +14,21 @@ void intersect_group(const World& world, std::uint32_t group, const Rays& rays, 
 Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active);
 
 // The rays in the space of an instance. Directions are not normalised, so that distances stay what they are.
-struct RaysInside : Rays {
-  RayStart own_start;
-  Float3 normal, incoming;
-
-  PENUMBRA_INLINE RaysInside(const World& world, const Leaf& leaf, const Rays& rays) : Rays(rays) {
-    origin = local_origin(world, leaf, rays);
-    direction = local_direction(world, leaf, rays);
-    if (leaf.placement == no_placement) return;
-    unit = unit && leaf.kind == LeafKind::mesh;  // whose placement is a shift
-    first_place += leaf.first_place;
-    if (!rays.start) return;
-    const Placement& placement = world.placements[leaf.placement];
-    own_start = *rays.start;
-    normal = normalize(multiply_transposed(placement.linear, *rays.start->normal));
-    incoming = multiply(placement.inverse, *rays.start->incoming);
-    own_start.normal = &normal;
-    own_start.incoming = &incoming;
-    own_start.error = (rays.start->error + Floats(leaf.slack)) * Floats(placement.shrink);
-    start = &own_start;
-  }
-  RaysInside(const RaysInside&) = delete;
-};
+PENUMBRA_INLINE Rays rays_inside(const World& world, const Leaf& leaf, const Rays& rays) {
+  Rays inside = rays;
+  inside.origin = local_origin(world, leaf, rays);
+  inside.direction = local_direction(world, leaf, rays);
+  if (leaf.placement == no_placement) return inside;
+  inside.unit = rays.unit && leaf.kind == LeafKind::mesh;  // whose placement is a shift
+  inside.first_place += leaf.first_place;
+  inside.outer = &rays;
+  inside.instance = &leaf;
+  return inside;
+}
 
 // Instances and meshes answer for themselves: the lanes they improve are filled in.
 inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, Hits& hits) {
-  const RaysInside inside(g.world, leaf, g.rays);
+  const Rays inside = rays_inside(g.world, leaf, g.rays);
   if (leaf.kind == LeafKind::mesh) {
     const Mask improved = intersect_mesh(g.world, leaf, inside, active, hits);
     Float3 point = hits.point;
@@ -141,9 +130,9 @@ struct AnySearch {
     const Leaf& candidate = g.world.leaves[index];
     active = active & ~blocked;
     if (candidate.kind == LeafKind::mesh) {
-      blocked |= occluded_mesh(g.world, candidate, RaysInside(g.world, candidate, g.rays), farthest, active);
+      blocked |= occluded_mesh(g.world, candidate, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else if (candidate.kind == LeafKind::instance) {
-      blocked |= occluded_group(g.world, candidate.target, RaysInside(g.world, candidate, g.rays), farthest, active);
+      blocked |= occluded_group(g.world, candidate.target, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else {
       blocked |= cross_from_start(g, index, active, *this).hit;
     }

@@ -75,7 +75,11 @@ PENUMBRA_INLINE Floats scale_at(const Hits& hits) {
 PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const Material& material, Mask behind,
                                   Floats scale) {
   RayStart start;
+  alignas(64) std::uint32_t places[lane_count];
+  store(places, hits.place);
   start.place = hits.place;
+  start.the_place = places[__builtin_ctz(bits(hits.found))];
+  start.one_place = none(hits.found & ~(hits.place == Ints(start.the_place)));
   start.previous = arrived.start ? arrived.start->place : Ints(0xffffffffu);
   start.normal = &hits.normal;
   start.incoming = &arrived.direction;

@@ -20,7 +20,7 @@ __attribute__((noinline)) inline Crossing settle_ends(const GroupRays& g, std::u
     const Mask near_end = crossing.hit & Mask(g.rays.to_light) & (t > g.rays.light_distance * Floats(1 - light_share));
     if (none(near_start | near_end)) return crossing;
     const Float3 normal = surface_of(g, leaf, t).normal;
-    const Floats error = start.error + Floats(leaf.slack);
+    const Floats error = start.error + min(Floats(leaf.slack), start.error);
     const Mask passed = near_start & ~still_ahead(*g.rays.start, start, direction,
                                                   {Ints(g.rays.first_place + index), leaf.passage, normal, t, error});
     if (any(near_end)) {

@@ -83,7 +83,10 @@ PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const M
   start.previous = arrived.start ? arrived.start->place : Ints(0xffffffffu);
   start.normal = &hits.normal;
   start.incoming = &arrived.direction;
-  start.error = start.back = scale * Floats(rounding_share) + hits.slack;
+  // Of a large shape, other surfaces know only what is near.
+  const Floats rounding = scale * Floats(rounding_share);
+  start.back = rounding + min(hits.slack, rounding);
+  start.error = rounding + min(hits.slack, rounding * Floats(4));
   start.inward = behind;
   start.through = start.sheet = Mask(false);
   start.opaque = Mask(true);
@@ -260,6 +263,32 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hi
   return keep(active, sum * Floats(1.0f / static_cast<float>(lobe.count)) * lobe.factor);
 }
 
+// A solid that lies on the one that rays leave, without a gap.
+struct SolidBehind {
+  Mask touches;
+  Ints place;
+  Floats transmission, refraction_index;
+};
+
+inline SolidBehind solid_behind(const TraceContext& c, const Rays& rays, const Hits& hits, const RayStart& start,
+                                Floats scale, Mask leaving) {
+  const RayStart through = start_through(start, Mask(true));
+  Rays probe;
+  probe.time = rays.time;
+  probe.direction = rays.direction;
+  probe.leave(through, hits.point, scale);
+  const Hits behind = intersect(c.frame.world, probe, scale * Floats(start_share), leaving);
+  if (none(behind.found)) return {Mask(false), Ints(0u), Floats(0), Floats(1)};
+  const Material material = material_at(c.frame, behind);
+  const Floats cosine = dot(behind.normal, rays.direction);
+  const Floats gap = (behind.distance - start.back) * abs(cosine);
+  const Mask touches = behind.found & (cosine < Floats(0)) & (material.transmission != Floats(0)) &
+                       (abs(dot(behind.normal, hits.normal)) > Floats(parallel_cosine)) &
+                       (abs(gap) <= (start.error + behind.slack) * Floats(4));
+  if (none(touches)) return {touches, Ints(0u), Floats(0), Floats(1)};
+  return {touches, behind.place, material.transmission, material.refraction_index};
+}
+
 // What the reflected and the transmitted rays bring.
 inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
                              Float3 facing, const RayStart& start, Floats scale, int depth, TreePlace place) {
@@ -268,6 +297,8 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   Floats reflection = material.reflection, gloss_radius = material.gloss_radius;
   bool any_gloss = material.any_gloss;
   Mask transmits(false);
+  Floats transmission = material.transmission;
+  RayStart beyond = start_through(start, Mask(true));
   const bool smooth = any(hits.smooth);
   Float3 bent = facing;  // the smooth normal, as long as it shows to the viewer
   if (smooth) {
@@ -278,15 +309,28 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const Floats index = material.refraction_index;
     const Refraction refraction = refract(rays.direction, bent, select(start.inward, index, Floats(1) / index));
     const Mask candidates = hits.found & (material.transmission != zero);
-    const Mask total = candidates & refraction.total;
+    Mask total = candidates & refraction.total;
+    Float3 direction = refraction.direction;
+    // Between two solids that touch there is nothing that reflects totally: the rays go from one into the other.
+    if (any(total & start.inward)) {
+      const SolidBehind behind = solid_behind(c, rays, hits, start, scale, total & start.inward);
+      const Refraction direct = refract(rays.direction, bent, index / behind.refraction_index);
+      const Mask passes = behind.touches & ~direct.total;
+      total &= ~passes;
+      direction = select(passes, direct.direction, direction);
+      transmission = select(passes, transmission * behind.transmission, transmission);
+      beyond.place = select(passes, behind.place, beyond.place);
+      beyond.one_place = beyond.one_place && none(passes);
+      beyond.inward |= passes;
+    }
     reflection = select(total, reflection + material.transmission, reflection);
     // A frosted solid is as frosted from inside.
     if (material.any_blur && any(total)) {
       any_gloss = true;
       gloss_radius = select(total, max(gloss_radius, material.blur_radius), gloss_radius);
     }
-    transmits = candidates & ~refraction.total;
-    refracted = select(index == Floats(1), rays.direction, refraction.direction);
+    transmits = candidates & ~total;
+    refracted = select(index == Floats(1), rays.direction, direction);
     if (smooth) refracted = select(hits.smooth, fold(refracted, -facing), refracted);
   }
   const Mask reflects = hits.found & (reflection != zero);
@@ -300,17 +344,8 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   }
   if (any(transmits)) {
     const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
-    const RayStart beyond = start_through(start, Mask(true));
-    const Lobe lobe{RayKind::transmission,
-                    material.transmission,
-                    count,
-                    refracted,
-                    material.any_blur,
-                    material.blur_radius,
-                    -facing,
-                    beyond,
-                    step_blur,
-                    step_transmission};
+    const Lobe lobe{RayKind::transmission, transmission, count,  refracted, material.any_blur,
+                    material.blur_radius,  -facing,      beyond, step_blur, step_transmission};
     sum += trace_lobe(c, rays, hits, scale, lobe, transmits, depth, place);
   }
   return sum;

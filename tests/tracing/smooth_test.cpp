@@ -182,8 +182,8 @@ Picture3 render_in(const Scene& scene, std::uint32_t embree_threshold) {
   return Picture3(std::move(film), counts);
 }
 
-// Half of the faces have no normals. Light that grazes a smooth face from inside is stopped by that face in Embree, which
-// does not know where a ray starts, and by its smooth normal in our tree.
+// Half of the faces have no normals. Light that grazes a smooth face from inside is stopped by that face in Embree,
+// which does not know where a ray starts, and by its smooth normal in our tree.
 TEST_F(Smooth, BothRoomsAgree) {
   std::string half = sphere(16);
   for (std::size_t at = half.find("f "); at != half.npos; at = half.find("f ", at + 40)) {

@@ -125,6 +125,21 @@ TEST(Touching, GlassShowsWhatItStandsOn) {
   }
 }
 
+// Nothing reflects totally between two blocks of glass that touch.
+TEST(Touching, BlocksOfGlassAreOneBlock) {
+  const std::string head =
+      "image_size 60 60\nfov 60\nbackground 0.3 0.5 0.9\nlight 0 5 0 1 1 1\neye 0.5 2 3\nmax_depth 14\n"
+      "uvw 1 0 0 0 0.9 -0.436 0 0.436 0.9\ntranslucent 0 0 0 0 0 0 1 0 0 1 1.5 0\n";
+  const std::string table = "diffuse 0.9 0.2 0.2 0.1 0.1 0.1\nbox -5 -0.5 -5 5 -0.2 5\nsphere .3 .2 .1 -3.5\n";
+  const Picture3 one = render_text(head + "box -1 0 -3 1 1 -1\n" + table);
+  for (const std::string two :
+       {"box -1 0 -3 1 .5 -1\nbox -1 .5 -3 1 1 -1\n", "box 0 0 -3 1 1 -1\nbox -1 0 -3 0 1 -1\n"}) {
+    EXPECT_LE(difference(render_text(head + two + table), one).pixels, 20) << two;
+  }
+  const std::string walls_of_both = walls({-1, 0, -3}, {1, 0.5, -1}) + walls({-1, 0.5, -3}, {1, 1, -1});
+  EXPECT_LE(difference(render_text(head + walls_of_both + table), one).pixels, 20);
+}
+
 // A point of a surface whose light comes from behind sees it through that surface, like through any other.
 TEST(Touching, LightFromBehindCrossesTheSurfaceItself) {
   struct Case {

@@ -103,7 +103,8 @@ bool RenderSession::has_finished(const PictureKey& key) const {
   return checkpoint_ && key.picture < checkpoint_->key().picture && rays_of(key) == rays_of(checkpoint_->key());
 }
 
-void RenderSession::require_picture(const ResumableRender& render, PictureKey key) const {
+void RenderSession::require_picture(const ResumableRender& render, const PictureKey& wanted) const {
+  PictureKey key = wanted;
   const int rays = rays_of(checkpoint_->key());
   if (rays < rays_of(key)) {
     if (!render.can_go_on_from(static_cast<std::uint32_t>(rays))) {

@@ -43,7 +43,7 @@ class RenderSession {
  private:
   void open_checkpoint();
   // Throws FileError 65 unless the checkpoint is of this picture, with as many rays or with fewer that it goes on from.
-  void require_picture(const ResumableRender& render, PictureKey key) const;
+  void require_picture(const ResumableRender& render, const PictureKey& wanted) const;
   std::future<void> begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop);
   void save(std::span<const std::byte> bytes);
 

@@ -37,10 +37,10 @@ Placement make_placement(const Affine& m) {
   return p;
 }
 
-// Whether all points of the surface have one coordinate that its numbers give to the bit.
+// Whether the numbers of the surface give its points as well as numbers of their size can.
 bool is_exact(const Leaf& leaf) {
   if (leaf.placement != no_placement) return false;
-  if (leaf.kind == LeafKind::box) return true;
+  if (leaf.kind == LeafKind::box || (leaf.kind == LeafKind::sphere && leaf.sphere.is_ground)) return true;
   return leaf.kind == LeafKind::triangle &&
          std::ranges::any_of(leaf.triangle.normal, [](float n) { return std::abs(n) == 1; });
 }

@@ -12,7 +12,7 @@ namespace penumbra {
           use(mupGetErrorPos) use(mupGetErrorToken)
 
 struct MuParserLibrary {
-#define PENUMBRA_MEMBER(name) decltype(&::name) name;
+#define PENUMBRA_MEMBER(name) decltype(&::name) name;  // NOLINT(bugprone-macro-parentheses): the name of a member
   PENUMBRA_MU_PARSER_FUNCTIONS(PENUMBRA_MEMBER)
 #undef PENUMBRA_MEMBER
 };

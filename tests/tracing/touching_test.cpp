@@ -217,11 +217,12 @@ TEST(Touching, LargeGroundsHaveContactShadows) {
            "sphere 1 0 0 -5\ndiffuse .7 .7 .6 .1 .1 .1\n" +
            fmt::format(fmt::runtime(ground), size);
   };
-  for (const std::string ground :
-       {"box -{0} -{0} -{0} {0} -1 {0}\n",
-        "begin\nvertex -{0} -1 {0}\nvertex {0} -1 {0}\nvertex {0} -1 -{0}\nvertex -{0} -1 -{0}\nend\n",
-        "cylinder {0} 0 0 -2 -1\n"}) {
-    const Picture3 small = render_text(scene(1e3, ground));
+  const std::string box = "box -{0} -{0} -{0} {0} -1 {0}\n";
+  const Picture3 small = render_text(scene(1e3, box));
+  for (const std::string& ground :
+       {box,
+        std::string("begin\nvertex -{0} -1 {0}\nvertex {0} -1 {0}\nvertex {0} -1 -{0}\nvertex -{0} -1 -{0}\nend\n"),
+        std::string("cylinder {0} 0 0 -2 -1\n"), std::string("sphere {0} 0 {{-{0} - 1}} 0\n")}) {
     for (const double size : {1e5, 1e6}) {
       EXPECT_LE(difference(render_text(scene(size, ground)), small).pixels, 40) << size << " " << ground;
     }

@@ -1,6 +1,8 @@
 // The sphere. The point of closest approach to the centre is found first and the half chord from it, which keeps the
 // digits that the usual quadratic formula loses for small or far spheres (Hearn and Baker; Haines et al. 2019,
-// "Precision improvements").
+// "Precision improvements"). A ground is the opposite: a large sphere whose surface passes near the origin of its
+// space, where the rays are. There the distances are the roots of |o + t d|^2 - 2 (o + t d).c + (|c|^2 - r^2) = 0,
+// whose constant term is small, each computed without cancellation (Press et al., "Numerical Recipes", 5.6).
 #pragma once
 
 #include "geometry/shapes/shape.hpp"
@@ -10,12 +12,17 @@ namespace penumbra {
 struct LeafSphere {
   float center[3];
   float radius;
+  float power;  // |c|^2 - r^2
+  bool is_ground;
 };
 
 inline LeafSphere leaf_of(const Sphere& s) {
   LeafSphere leaf{};
   set3(leaf.center, s.center);
   leaf.radius = static_cast<float>(s.radius);
+  const double distance = length(s.center);
+  leaf.is_ground = s.radius > 256 && std::abs(distance - s.radius) < s.radius / 16;
+  leaf.power = static_cast<float>((distance - s.radius) * (distance + s.radius));
   return leaf;
 }
 
@@ -42,7 +49,19 @@ inline std::optional<Sphere> mapped(const Affine& m, const Sphere& s) {
 #ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
+inline Crossing first_crossing_of_ground(const LeafSphere& sphere, const ShapeRays& rays) {
+  const Float3 center = broadcast3(sphere.center);
+  const Floats a = dot(rays.direction, rays.direction);
+  const Floats b = dot(rays.direction, rays.origin - center);
+  const Floats c = dot(rays.origin, rays.origin - center * Floats(2)) + Floats(sphere.power);
+  const Floats discriminant = b * b - a * c;
+  const Floats sum = -divisor(b + copysign(sqrt(max(discriminant, Floats(0))), b));
+  const Floats p = sum / a, q = c / sum;
+  return first_beyond(rays, discriminant >= Floats(0), {min(p, q), max(p, q)});
+}
+
 PENUMBRA_INLINE Crossing first_crossing(const LeafSphere& sphere, const ShapeRays& rays) {
+  if (sphere.is_ground) return first_crossing_of_ground(sphere, rays);
   const Float3 to_origin = rays.origin - broadcast3(sphere.center);
   Floats approach = -dot(to_origin, rays.direction);
   Floats inverse_dd = Floats(1);
@@ -60,7 +79,9 @@ PENUMBRA_INLINE Crossing first_crossing(const LeafSphere& sphere, const ShapeRay
 
 PENUMBRA_INLINE SurfacePoint surface_at(const LeafSphere& sphere, const ShapeRays& rays, Floats distance) {
   const Float3 center = broadcast3(sphere.center);
-  const Float3 normal = normalize(rays.at(distance) - center);
+  const Float3 point = rays.at(distance);
+  const Float3 normal = normalize(point - center);
+  if (sphere.is_ground) return {point, normal};
   return {center + normal * Floats(sphere.radius), normal};
 }
 

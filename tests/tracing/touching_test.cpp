@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "base/test_scale.hpp"
 #include "rendering/render_text.hpp"
@@ -121,6 +122,70 @@ TEST(Touching, GlassShowsWhatItStandsOn) {
     for (const bool floor_first : {false, true}) {
       EXPECT_LE(difference(render_text(scene(false, floor_first), settings), apart).pixels, allowed)
           << c.name << (floor_first ? ", floor first" : "");
+    }
+  }
+}
+
+// A stack of random shapes, each lifted by the gap from the one below; glass never lies on glass. With a lamp in the
+// ceiling.
+std::string random_stack(std::uint32_t seed, double gap) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * 0x1p-64 * static_cast<double>(random()); };
+  std::vector<std::string> shapes;
+  const auto opaque = [&] { return fmt::format("diffuse {} {} {} 0.1 0.1 0.1\n", uniform(0, 1), uniform(0, 1), 0.5); };
+  shapes.push_back(opaque() + (random() % 2 == 0 ? "box -9 -1 -9 9 0 9\n" : sheet(0, 9)));
+  double y = 0;
+  bool on_glass = false;
+  for (int layer = 1; layer < 4; layer++) {
+    const bool glass = !on_glass && random() % 2 == 0;
+    const std::string surface = glass ? "translucent 0.1 0 0 0 0 0 1 0.2 0 0.7 1.4 0\n" : opaque();
+    const double height = uniform(0.2, 0.6), half = uniform(0.4, 1.2);
+    const double low = y + layer * gap, high = low + height;
+    const Vec3 lo{-half, low, -2 - half}, hi{half, high, -2 + half};
+    const std::string corners = fmt::format("{} {} {} {} {} {}\n", lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+    switch (random() % 4) {
+      case 0:
+        shapes.push_back(surface + "box " + corners);
+        break;
+      case 1:
+        shapes.push_back(surface + walls(lo, hi));
+        break;
+      case 2:
+        shapes.push_back(surface + fmt::format("cylinder {} 0 -2 {} {}\n", half, low, high));
+        break;
+      default:
+        shapes.push_back(surface + instance_of("box " + corners));
+    }
+    y += height;
+    on_glass = glass;
+  }
+  shapes.push_back(opaque() + "box -9 3 -9 9 3.5 9\n");
+  std::shuffle(shapes.begin(), shapes.end(), random);
+  std::string text = fmt::format(
+      "image_size 40 40\nfov 60\neye 0.3 1.7 3\nuvw 1 0 0 0 0.95 -0.312 0 0.312 0.95\nmax_depth 8\n"
+      "background 0.3 0.5 0.9\nrays_per_pixel 4\nlight 2 {0} 1 0.6 0.6 0.6\ndisk_light -2 {0} 0 0.5 0 1 0 0.4 0.4 "
+      "0.4\n",
+      3 - gap);
+  for (std::size_t i = 0; i < shapes.size(); i++) {
+    std::string shape = shapes[i];
+    for (const std::string word : {"named_object it", "instance it"}) {
+      if (const std::size_t at = shape.find(word); at != std::string::npos) {
+        shape.insert(at + word.size(), std::to_string(i));
+      }
+    }
+    text += shape;
+  }
+  return text;
+}
+
+TEST(Touching, RandomStacksLookAsWithGaps) {
+  for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(scaled(200, 6)); seed++) {
+    for (const bool transparent : {false, true}) {
+      RenderSettings settings;
+      settings.transparent_shadows = transparent;
+      const Picture3 touching = render_text(random_stack(seed, 0), settings);
+      const Picture3 apart = render_text(random_stack(seed, 1e-4), settings);
+      EXPECT_LE(difference(touching, apart).pixels, 8) << "seed " << seed << (transparent ? ", transparent" : "");
     }
   }
 }

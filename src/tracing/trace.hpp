@@ -10,6 +10,7 @@
 #include "geometry/traversal.hpp"
 #include "sampling/sampler.hpp"
 #include "tracing/frame.hpp"
+#include "tracing/leaving.hpp"
 #include "tracing/light.hpp"
 #include "tracing/material.hpp"
 #include "tracing/ray_kind.hpp"
@@ -63,46 +64,6 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
   if (ray.count > 1) return c.sampler.among(ray.number, ray.count).pair(dimension);
   if (c.frame.lights[number].first_of_area && place == tree_root) return c.sampler.first_light_place();
   return c.sampler.pair(dimension);
-}
-
-// The largest of the coordinates and distances at hits.
-PENUMBRA_INLINE Floats scale_at(const Hits& hits) {
-  const Float3 p = hits.point;
-  return max(max(abs(p.x), abs(p.y)), max(abs(p.z), hits.distance));
-}
-
-// Where rays leave their hits on the side they came from, where that is `behind` the surface.
-PENUMBRA_INLINE RayStart start_at(const Hits& hits, const Rays& arrived, const Material& material, Mask behind,
-                                  Floats scale) {
-  RayStart start;
-  alignas(64) std::uint32_t places[lane_count];
-  store(places, hits.place);
-  start.place = hits.place;
-  start.the_place = places[__builtin_ctz(bits(hits.found))];
-  start.one_place = none(hits.found & ~(hits.place == Ints(start.the_place)));
-  start.previous = arrived.start ? arrived.start->place : Ints(0xffffffffu);
-  start.normal = &hits.normal;
-  start.incoming = &arrived.direction;
-  // Of a large shape, other surfaces know only what is near.
-  const Floats rounding = scale * Floats(rounding_share);
-  start.back = rounding + min(hits.slack, rounding);
-  start.error = rounding + min(hits.slack, rounding * Floats(4));
-  start.inward = behind;
-  start.through = start.sheet = Mask(false);
-  start.opaque = Mask(true);
-  if (material.any_transmission) {
-    start.opaque = material.transmission == Floats(0);
-    start.sheet = hits.two_sided & (material.refraction_index == Floats(1));
-  }
-  return start;
-}
-
-// The same, for rays that leave on the other side in some lanes.
-PENUMBRA_INLINE RayStart start_through(const RayStart& start, Mask through) {
-  RayStart other = start;
-  other.through = through;
-  other.inward = (start.inward & ~through) | (through & ~start.inward);
-  return other;
 }
 
 // How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
@@ -263,32 +224,6 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hi
   return keep(active, sum * Floats(1.0f / static_cast<float>(lobe.count)) * lobe.factor);
 }
 
-// A solid that lies on the one that rays leave, without a gap.
-struct SolidBehind {
-  Mask touches;
-  Ints place;
-  Floats transmission, refraction_index;
-};
-
-inline SolidBehind solid_behind(const TraceContext& c, const Rays& rays, const Hits& hits, const RayStart& start,
-                                Floats scale, Mask leaving) {
-  const RayStart through = start_through(start, Mask(true));
-  Rays probe;
-  probe.time = rays.time;
-  probe.direction = rays.direction;
-  probe.leave(through, hits.point, scale);
-  const Hits behind = intersect(c.frame.world, probe, scale * Floats(start_share), leaving);
-  if (none(behind.found)) return {Mask(false), Ints(0u), Floats(0), Floats(1)};
-  const Material material = material_at(c.frame, behind);
-  const Floats cosine = dot(behind.normal, rays.direction);
-  const Floats gap = (behind.distance - start.back) * abs(cosine);
-  const Mask touches = behind.found & (cosine < Floats(0)) & (material.transmission != Floats(0)) &
-                       (abs(dot(behind.normal, hits.normal)) > Floats(parallel_cosine)) &
-                       (abs(gap) <= (start.error + behind.slack) * Floats(4));
-  if (none(touches)) return {touches, Ints(0u), Floats(0), Floats(1)};
-  return {touches, behind.place, material.transmission, material.refraction_index};
-}
-
 // What the reflected and the transmitted rays bring.
 inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
                              Float3 facing, const RayStart& start, Floats scale, int depth, TreePlace place) {
@@ -313,7 +248,7 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     Float3 direction = refraction.direction;
     // Between two solids that touch there is nothing that reflects totally: the rays go from one into the other.
     if (any(total & start.inward)) {
-      const SolidBehind behind = solid_behind(c, rays, hits, start, scale, total & start.inward);
+      const SolidBehind behind = solid_behind(c.frame, rays, hits, start, scale, total & start.inward);
       const Refraction direct = refract(rays.direction, bent, index / behind.refraction_index);
       const Mask passes = behind.touches & ~direct.total;
       total &= ~passes;

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <regex>
 #include <string>
 
+#include "base/parse.hpp"
 #include "image/image_file.hpp"
 
 namespace penumbra {
@@ -18,14 +17,33 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
   return file.parent_path() / name;
 }
 
+// Where the number of a frame goes in a name, `####` or `%04d`, and how many digits it has at least.
+struct NumberPlace {
+  std::size_t begin, end;
+  int digits;
+};
+
+std::optional<NumberPlace> place_of_number(std::string_view name) {
+  for (std::size_t at = name.find_first_of("#%"); at != name.npos; at = name.find_first_of("#%", at + 1)) {
+    const bool hashes = name[at] == '#';
+    const std::size_t end = std::min(name.find_first_not_of(hashes ? "#" : "0123456789", at + 1), name.size());
+    if (hashes) return NumberPlace{at, end, static_cast<int>(end - at)};
+    const std::string_view width = name.substr(at + 1, end - at - 1);
+    const bool plain = width.empty() || (width.front() == '0' && (width.size() == 2 || width.size() == 3));
+    if (plain && end < name.size() && name[end] == 'd')
+      return NumberPlace{at, end + 1, number_from<int>(width).value_or(0)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::filesystem::path> with_frame_in_pattern(const std::filesystem::path& file, int frame) {
   const std::string name = file.filename().string();
-  std::smatch found;
-  if (!std::regex_search(name, found, std::regex("(#+)|%(0[0-9]{1,2})?d"))) return std::nullopt;
-  const int digits = found[1].matched ? static_cast<int>(found.length()) : std::atoi(found.str(2).c_str());
-  return file.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), frame, digits, found.suffix().str());
+  const std::optional<NumberPlace> place = place_of_number(name);
+  if (!place) return std::nullopt;
+  return file.parent_path() /
+         fmt::format("{}{:0{}}{}", name.substr(0, place->begin), frame, place->digits, name.substr(place->end));
 }
 
 std::filesystem::path with_frame_number(const std::filesystem::path& file, const AnimationFrame& frame) {

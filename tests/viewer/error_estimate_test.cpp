@@ -43,13 +43,14 @@ const ZeroedVector<float>& true_picture() {
 }
 
 // The estimated and the real error after a number of rays.
-Errors errors_after(std::uint32_t rays, Pattern pattern) {
+Errors errors_with_seed(std::uint32_t seed, std::uint32_t rays, Pattern pattern) {
   LoadedScene loaded;
   loaded.scene = std::make_shared<const Scene>(test::scene_from(soft_shadow));
   const ZeroedVector<float>& truth = true_picture();
 
   PictureOptions options;
   options.sampler = pattern;
+  options.seed = seed;
   BuiltWorld world;
   GrowingPicture picture(loaded, options, world, 1);
   RenderState state;
@@ -67,11 +68,23 @@ Errors errors_after(std::uint32_t rays, Pattern pattern) {
   return {side.error.value_or(-1), std::sqrt(sum / static_cast<double>(truth.size()))};
 }
 
+// Over several seeds, as the estimate of one alone scatters.
+Errors errors_after(std::uint32_t rays, Pattern pattern) {
+  constexpr std::uint32_t seeds = 4;
+  Errors squares{0, 0};
+  for (std::uint32_t seed = 0; seed < seeds; seed++) {
+    const Errors one = errors_with_seed(seed, rays, pattern);
+    squares.estimated += one.estimated * one.estimated / seeds;
+    squares.real += one.real * one.real / seeds;
+  }
+  return {std::sqrt(squares.estimated), std::sqrt(squares.real)};
+}
+
 TEST(ErrorEstimate, IsNearTheTruth) {
   for (const Pattern pattern : {Pattern::random, Pattern::sobol, Pattern::halton, Pattern::bluenoise}) {
     for (const std::uint32_t rays : {16u, 24u, 64u, 256u}) {
       const auto [estimated, real] = errors_after(rays, pattern);
-      EXPECT_GT(estimated, 0.55 * real) << pattern_names[static_cast<int>(pattern)] << " with " << rays;
+      EXPECT_GT(estimated, 0.6 * real) << pattern_names[static_cast<int>(pattern)] << " with " << rays;
       EXPECT_LT(estimated, 1.7 * real) << pattern_names[static_cast<int>(pattern)] << " with " << rays;
     }
   }

@@ -37,6 +37,17 @@ Placement make_placement(const Affine& m) {
   return p;
 }
 
+Vec3 vector_of(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+// Whether two triangles lie in one plane and face the same way, as exactly as single precision tells.
+bool same_plane(const LeafTriangle& t, const LeafTriangle& other) {
+  const Vec3 normal = vector_of(t.normal), corner = vector_of(t.a);
+  if (length(vector_of(other.normal) - normal) > slack_share) return false;
+  const Vec3 corners[] = {vector_of(other.a), vector_of(other.b), vector_of(other.c)};
+  return std::ranges::all_of(
+      corners, [&](Vec3 v) { return std::abs(dot(normal, v - corner)) <= slack_share * max_component(abs(v)); });
+}
+
 // Whether the numbers of the surface give its points as well as numbers of their size can.
 bool is_exact(const Leaf& leaf) {
   if (leaf.placement != no_placement) return false;
@@ -87,16 +98,16 @@ class WorldBuilder {
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const NodeReference root = build_bvh(parts.items, first_leaf, world_.nodes);
     std::uint32_t places = static_cast<std::uint32_t>(parts.items.size());  // those of instances follow
-    bool has_nested = false;
     world_.leaves.reserve(world_.leaves.size() + parts.leaves.size());
     Bounds bounds;
     for (const BvhItem& item : parts.items) {
       world_.leaves.push_back(parts.leaves[item.leaf]);
       Leaf& leaf = world_.leaves.back();
-      has_nested |= leaf.is_nested();
       if (leaf.kind == LeafKind::instance) {
-        leaf.first_place = first_leaf + places - group_first_leaf_[leaf.target];
+        leaf.place = first_leaf + places - group_first_leaf_[leaf.target];
         places += group_places_[leaf.target];
+      } else {
+        leaf.place += first_leaf;
       }
       if (item.leaf < parts.normals.size() && parts.normals[item.leaf] != TriangleRange::flat) {
         world_.leaf_normals.resize(world_.leaves.size() - 1, TriangleRange::flat);
@@ -104,7 +115,7 @@ class WorldBuilder {
       }
       bounds = include(bounds, item.bounds);
     }
-    world_.groups[group] = {root, has_nested, {}};
+    world_.groups[group] = {root, {}};
     set3(world_.groups[group].origin, origin);
     group_bounds_.resize(world_.groups.size());
     group_bounds_[group] = bounds;
@@ -207,6 +218,7 @@ class WorldBuilder {
   void add_ordered_leaf(GroupParts& parts, Leaf leaf, const Bounds& bounds, Vec3 motion, float cost, double reach) {
     set3(leaf.motion, motion);
     leaf.moves = motion != Vec3{};
+    leaf.place = static_cast<std::uint32_t>(parts.leaves.size());
     const Bounds over_shutter =
         include(shift(bounds, motion * options_.shutter_open), shift(bounds, motion * options_.shutter_close));
     const double largest = std::max({magnitude(bounds), magnitude(over_shutter), reach});
@@ -293,6 +305,7 @@ class WorldBuilder {
   }
 
   void add_single_triangles(GroupParts& parts, const GroupParts::Run& run, Vec3 motion) {
+    const std::size_t first = parts.leaves.size();
     for (std::uint32_t i = 0; i < run.range.count; i++) {
       const std::uint32_t triangle = run.range.first + i;
       const Vec3 a = corner_of(*scene_.triangles, triangle, 0) - parts.origin;
@@ -305,6 +318,11 @@ class WorldBuilder {
       leaf.order = touch_order(leaf.passage, run.order + i);
       const Bounds bounds = include(include({a, a}, b), c);
       add_ordered_leaf(parts, leaf, bounds, motion, shape_cost, 0);
+      // No ray that leaves a plane meets it again: all triangles of a flat face are one place.
+      if (const std::size_t last = parts.leaves.size() - 1; last > first) {
+        const Leaf& before = parts.leaves[last - 1];
+        if (same_plane(before.triangle, leaf.triangle)) parts.leaves[last].place = before.place;
+      }
       const std::uint32_t normals = run.range.normals + i;
       if (run.range.normals == TriangleRange::flat || scene_.triangles->normal_numbers[3 * std::size_t{normals}] == 0)
         continue;

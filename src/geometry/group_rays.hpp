@@ -44,11 +44,20 @@ struct GroupRays {
 
   PENUMBRA_INLINE GroupRays(const World& w, const WorldGroup& group, const Rays& r, Mask lanes)
       : world(w), rays(r), active(lanes), origin(group.origin) {
+    if (r.start) {
+      many_places_ = !r.start->one_place;
+      if (!many_places_) own_place_ = r.start->the_place - r.first_place;
+    }
     if (!is_leaf(group.root)) {
       inverse_direction = safe_inverse(r.direction);
       order.find(inverse_direction, active);
     }
   }
+
+  // Hits::place of a leaf of the group; whether all rays start there, or not all at one place.
+  PENUMBRA_INLINE std::uint32_t place_of(const Leaf& leaf) const { return rays.first_place + leaf.place; }
+  PENUMBRA_INLINE bool all_start_on(const Leaf& leaf) const { return leaf.place == own_place_; }
+  PENUMBRA_INLINE bool many_places() const { return many_places_; }
 
   // Computed for the first triangle that may be met.
   PENUMBRA_INLINE const RayShear& shear() const {
@@ -76,6 +85,8 @@ struct GroupRays {
   }
 
  private:
+  std::uint32_t own_place_ = no_place;  // of the leaf that all rays start on
+  bool many_places_ = false;            // they start on several
   mutable RayShear shear_;
   mutable bool has_shear_ = false;
 };

@@ -16,6 +16,7 @@ namespace penumbra {
 enum class LeafKind : std::uint8_t { sphere, box, cylinder, cone, triangle, mesh, instance };
 
 inline constexpr std::uint32_t no_placement = 0xffffffffu;
+inline constexpr std::uint32_t no_place = 0xffffffffu;
 
 // What light does at a surface: it stays outside, it enters or leaves a solid, or it goes through a sheet.
 enum class Passage : std::uint8_t { opaque, solid, sheet };
@@ -42,10 +43,11 @@ struct Leaf {
   std::uint32_t order = 0;   // at equal distance the lower one wins; with the rank of a surface met from outside
   std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
   std::uint32_t placement = no_placement;
-  std::uint32_t first_place = 0;  // of an instance: what its leaves' indices lack to places (Hits::place)
-  float motion[3] = {0, 0, 0};    // shift per unit of time, in the space of the group
-  float slack = 0;                // how far a computed hit may be off the surface, beside the rounding of its point
-  union {                         // the one of `kind`
+  std::uint32_t place = 0;  // Hits::place of a shape of the root group; of an instance: what its shapes' places lack to
+                            // those of the group it stands in
+  float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
+  float slack = 0;              // how far a computed hit may be off the surface, beside the rounding of its point
+  union {                       // the one of `kind`
     LeafSphere sphere = {};
     LeafBox box;
     LeafCylinder cylinder;

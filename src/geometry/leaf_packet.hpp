@@ -30,7 +30,7 @@ PENUMBRA_INLINE Crossing cross_shape(const LeafTriangle& triangle, const GroupRa
   const Float3 a = broadcast3(triangle.a) - origin;
   const SeenPlane plane(broadcast3(triangle.normal), a, g.rays.direction);
   const auto may_meet = [&](Mask lanes) { return any(lanes) || any(wanted.active & plane.grazing(g.rays.direction)); };
-  const Mask ahead = g.rays.start ? plane.distance() > wanted.nearest : plane.ahead();
+  const Mask ahead = g.rays.start ? plane.ahead_from(-wanted.nearest) : plane.ahead();
   if (!may_meet(wanted.active & ahead) || !may_meet(wanted.active & ahead & search.may_want(plane.distance()))) {
     return {Mask(false), Floats(0), Mask(false)};
   }
@@ -97,7 +97,7 @@ PENUMBRA_INLINE void finish_hit(const GroupRays& g, std::uint32_t index, Mask la
   set(hits.normal, surface.normal);
   if (g.world.has_normals) finish_smooth_hit(g, index, surface, lanes, hits);
   set(hits.surface, Ints(leaf.target));
-  set(hits.place, Ints(g.rays.first_place + index));
+  set(hits.place, Ints(g.place_of(leaf)));
   set(hits.slack, Floats(leaf.slack));
   const Mask triangle(leaf.kind == LeafKind::triangle);
   hits.two_sided = whole ? triangle : (hits.two_sided & ~lanes) | (lanes & triangle);

@@ -44,7 +44,7 @@ PENUMBRA_INLINE Rays rays_off_start(const World& world, const Rays& rays) {
   Rays off = rays;
   if (rays.start) {
     const StartHere start = start_here(world, rays);
-    off.origin = rays.origin + start.normal * select(rays.start->inward, -start.error, start.error);
+    off.origin = rays.origin + start.normal * select(rays.inward(), -start.error, start.error);
     off.nearest = start.error * Floats(4);
   }
   return off;
@@ -175,6 +175,7 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   const Mask nearer = found & ((distance < hits.distance) | ((distance == hits.distance) & (order < hits.order)));
   Float3 point = rays.origin + rays.direction * distance;
   point = point - normal * dot(normal, point - triangles.a);
+  hits.define();
   hits.distance = select(nearer, distance, hits.distance);
   hits.order = select(nearer, order, hits.order);
   hits.point = select(nearer, point, hits.point);
@@ -184,6 +185,7 @@ inline Mask intersect_mesh(const World& world, const Leaf& leaf, const Rays& ray
   // From the upper end, where no leaf has its place.
   const Ints place = Ints(~rays.first_place) ^ (triangles.order & Ints(order_mask));
   hits.place = select(nearer, place, hits.place);
+  hits.one_place = false;
   hits.slack = select(nearer, Floats(leaf.slack), hits.slack);
   hits.two_sided |= nearer;
   hits.found |= nearer;

@@ -7,26 +7,46 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
+// What is asked of a leaf that rays may start on: a flat surface they do not meet again, a curved one only where they
+// come out of it.
+PENUMBRA_INLINE Wanted wanted_from_start(const GroupRays& g, const Leaf& leaf, Mask active) {
+  const Mask own = *g.rays.start->place == Ints(g.place_of(leaf));
+  const Mask inside = leaf.kind == LeafKind::triangle ? Mask(false) : own & g.rays.inward();
+  return {active & (~own | inside), inside, g.rays.nearest};
+}
+
+template <typename Search>
+__attribute__((noinline)) inline Crossing cross_from_start(const GroupRays& g, const Leaf& leaf, Mask active,
+                                                           const Search& search) {
+  const Wanted wanted = wanted_from_start(g, leaf, active);
+  if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
+  Crossing crossing = cross_leaf(g, leaf, wanted, search);
+  crossing.hit = crossing.hit & wanted.active;
+  return crossing;
+}
+
 // Decides about crossings near the ends of the rays. Where one does not count, the next of the leaf may.
 template <typename Search>
-__attribute__((noinline)) inline Crossing settle_ends(const GroupRays& g, std::uint32_t index, Wanted wanted,
-                                                      Search search, Crossing crossing) {
-  const Leaf& leaf = g.world.leaves[index];
+__attribute__((noinline)) inline Crossing settle_ends(const GroupRays& g, const Leaf& leaf, Mask active, Search search,
+                                                      Crossing crossing) {
   const StartHere start = start_here(g.world, g.rays);
   const Float3 direction = g.rays.direction;
+  const RayStart* before = g.rays.start->arrived->start;
+  const Ints previous = before ? *before->place : Ints(no_place);
+  Wanted wanted = wanted_from_start(g, leaf, active);
   while (true) {
     const Floats t = crossing.distance;
-    const Mask near_start = crossing.hit & ~wanted.inside & (t < -g.rays.nearest);
-    const Mask near_end = crossing.hit & Mask(g.rays.to_light) & (t > g.rays.light_distance * Floats(1 - light_share));
-    if (none(near_start | near_end)) return crossing;
+    const Mask near_start = crossing.hit & ~wanted.inside & g.rays.near_start(t);
+    const Mask near_light = crossing.hit & g.rays.near_light(t);
+    if (none(near_start | near_light)) return crossing;
     const Float3 normal = surface_of(g, leaf, t).normal;
     const Floats error = start.error + min(Floats(leaf.slack), start.error);
-    const Mask passed = near_start & ~still_ahead(*g.rays.start, start, direction,
-                                                  {Ints(g.rays.first_place + index), leaf.passage, normal, t, error});
-    if (any(near_end)) {
+    const Mask passed = near_start & ~still_ahead(*g.rays.start, previous, g.rays.through, start, direction,
+                                                  {Ints(g.place_of(leaf)), leaf.passage, normal, t, error});
+    if (any(near_light)) {
       const Floats height = (g.rays.light_distance - t) * abs(dot(normal, direction));
       const Floats length = g.rays.light_distance * sqrt(dot(direction, direction));
-      crossing.hit = crossing.hit & ~(near_end & (height <= error + length * Floats(rounding_share)));
+      crossing.hit = crossing.hit & ~(near_light & (height <= error + length * Floats(rounding_share)));
     }
     const Mask open = crossing.hit & passed;
     crossing.hit = crossing.hit & ~passed;
@@ -40,27 +60,40 @@ __attribute__((noinline)) inline Crossing settle_ends(const GroupRays& g, std::u
   }
 }
 
-// Where the rays cross leaf `index` as the search wants it.
+// Where the rays cross a leaf as the search wants it. What is rare is called; its results are taken one by one, because
+// to copy a Crossing whole that was only just written piece by piece makes the processor wait.
 template <typename Search>
-PENUMBRA_INLINE Crossing cross_from_start(const GroupRays& g, std::uint32_t index, Mask active, const Search& search) {
-  const Leaf& leaf = g.world.leaves[index];
-  Wanted wanted{active, Mask(false), g.rays.nearest};
-  const std::uint32_t place = g.rays.first_place + index;
-  if (g.rays.start && g.rays.start->any_at(place, active)) {
-    const Mask own = g.rays.start->place == Ints(place);
-    if (leaf.kind != LeafKind::triangle) wanted.inside = own & g.rays.start->inward;  // a plane is not crossed twice
-    wanted.active = active & (~own | wanted.inside);
-    if (none(wanted.active)) return {Mask(false), Floats(0), Mask(false)};
+PENUMBRA_INLINE Crossing wanted_crossing(const GroupRays& g, const Leaf& leaf, Mask active, const Search& search) {
+  Mask hit(false), leaving(false);
+  Floats distance = Floats(0);
+  const auto take = [&](const Crossing& c) {
+    hit = c.hit;
+    distance = c.distance;
+    leaving = c.leaving;
+  };
+  const bool may_enter = g.rays.any_inward && leaf.kind != LeafKind::triangle;
+  bool any_enter = false;
+  if (g.all_start_on(leaf)) {
+    if (!may_enter) return {hit, distance, leaving};
+    any_enter = true;
+  } else if (g.many_places()) {
+    const Mask own = active & (*g.rays.start->place == Ints(g.place_of(leaf)));
+    if (may_enter) {
+      any_enter = any(own);
+    } else {
+      active = active & ~own;
+    }
   }
-  Crossing crossing = cross_leaf(g, leaf, wanted, search);
-  crossing.hit = crossing.hit & wanted.active & search.wants(crossing, leaf);
-  if (g.rays.start && any(crossing.hit)) {
-    const Mask near_start = crossing.hit & (crossing.distance < -g.rays.nearest);
-    const bool may_hold_light =
-        g.rays.to_light && any(crossing.distance > g.rays.light_distance * Floats(1 - light_share));
-    if (any(near_start) || may_hold_light) return settle_ends(g, index, wanted, search, crossing);
+  if (any_enter) {
+    take(cross_from_start(g, leaf, active, search));
+  } else {
+    take(cross_leaf(g, leaf, {active, Mask(false), g.rays.nearest}, search));
   }
-  return crossing;
+  hit = hit & active & search.wants({hit, distance, leaving}, leaf);
+  if (search.settles(g.rays) && any(hit) && any(hit & (g.rays.near_start(distance) | g.rays.near_light(distance)))) {
+    take(settle_ends(g, leaf, active, search, {hit, distance, leaving}));
+  }
+  return {hit, distance, leaving};
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

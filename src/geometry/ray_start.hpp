@@ -22,29 +22,27 @@ inline constexpr float light_share = 1.0f / (1 << 8);
 // Surfaces whose normals have at least this cosine lie on each other.
 inline constexpr float parallel_cosine = 0.9999f;
 
-struct RayStart {
-  Ints place;      // which surface: as in Hits
-  bool one_place;  // the same one in all lanes: this one
-  std::uint32_t the_place;
-  Ints previous;           // the place that the rays that arrived had started on
-  const Float3* normal;    // of the surface, outward
-  const Float3* incoming;  // the direction of the rays that arrived, of any length
-  Floats back;             // the distance along them from the start to the hit point
-  Floats error;            // how far the hit point may be off
-  Mask inward;             // the rays leave to the side that the normal points away from
-  Mask through;            // which is not the side that they came from
-  Mask opaque, sheet;      // what the surface is
+struct Rays;
+struct Hits;
 
-  // Whether any of the rays start at a place.
-  PENUMBRA_INLINE bool any_at(std::uint32_t p, Mask active) const {
-    return one_place ? p == the_place : any(active & (place == Ints(p)));
-  }
+// A surface that rays arrived at, for all rays that leave it.
+struct RayStart {
+  const Rays* arrived;
+  const Hits* hits;
+  const Ints* place;  // as in Hits, unless the rays have gone on into the next solid
+  bool one_place;
+  std::uint32_t the_place;
+  Float3 origin;       // of the rays that leave
+  Floats back;         // the distance along those that arrived from the origin to the hit point
+  Floats nearest;      // Rays::nearest of the rays that leave
+  Mask behind;         // the rays arrived at the side that the normal points away from
+  Mask opaque, sheet;  // what the surface is
 };
 
 // What depends on the space that the rays are seen in.
 struct StartHere {
-  Float3 normal, incoming;
-  Floats error;
+  Float3 normal, incoming;  // outward, and of the rays that arrived, of any length
+  Floats error;             // how far the hit point may be off
 };
 
 PENUMBRA_INLINE Ints touch_rank(Passage passage, Mask leaving) {
@@ -60,27 +58,33 @@ struct CrossingNearStart {
   Floats distance, error;
 };
 
+// Which rays leave to the side that the normal points away from, where those that go `through` the surface leave to the
+// side that they did not come from.
+PENUMBRA_INLINE Mask leaves_inward(const RayStart& start, Mask through) {
+  return (start.behind & ~through) | (through & ~start.behind);
+}
+
 // The rank up to which surfaces that lie on the start's are behind the rays.
-PENUMBRA_INLINE Ints rank_passed(const RayStart& start) {
-  const Ints of_solid = select(start.inward, Ints(touch_into), Ints(touch_out));
-  const Ints of_sheet = select(start.through, Ints(touch_sheet), Ints(touch_opaque));
+PENUMBRA_INLINE Ints rank_passed(const RayStart& start, Mask through) {
+  const Ints of_solid = select(leaves_inward(start, through), Ints(touch_into), Ints(touch_out));
+  const Ints of_sheet = select(through, Ints(touch_sheet), Ints(touch_opaque));
   return select(start.opaque, Ints(touch_opaque), select(start.sheet, of_sheet, of_solid));
 }
 
-// Which rays still have the crossing ahead.
-PENUMBRA_INLINE Mask still_ahead(const RayStart& start, const StartHere& here, Float3 direction,
-                                 const CrossingNearStart& crossing) {
+// Which rays still have the crossing ahead; `previous` is the place that the rays that arrived had started on.
+PENUMBRA_INLINE Mask still_ahead(const RayStart& start, Ints previous, Mask through, const StartHere& here,
+                                 Float3 direction, const CrossingNearStart& crossing) {
   const Floats zero = Floats(0);
   const Float3 normal = crossing.normal;
   const Floats out = dot(normal, direction);
   const Floats height = crossing.distance * abs(out);
   const Mask parallel = abs(dot(normal, here.normal)) > Floats(parallel_cosine);
   const Mask lies_on = parallel & (abs(height) <= crossing.error * Floats(4));
-  Mask later = rank_passed(start) < touch_rank(crossing.passage, out > zero);
+  Mask later = rank_passed(start, through) < touch_rank(crossing.passage, out > zero);
   if (crossing.passage == Passage::sheet) later |= start.opaque;
 
   const Mask beyond = crossing.distance > zero;
-  const Mask came_from_it = crossing.place == start.previous;
+  const Mask came_from_it = crossing.place == previous;
   const Mask same_way = out * dot(normal, here.incoming) > zero;
   const Floats arriving = dot(here.normal, here.incoming);
   const Floats rise = dot(here.normal, direction) * crossing.distance;

@@ -10,7 +10,7 @@ namespace penumbra::PENUMBRA_KERNEL {
 // Distances are compared with the bounds after widening by this share.
 inline constexpr float distance_margin = 1.0f + 1.0f / (1 << 20);
 
-void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits);
+void find_nearest(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits);
 Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active);
 
 // The rays in the space of an instance. Directions are not normalised, so that distances stay what they are.
@@ -20,7 +20,7 @@ PENUMBRA_INLINE Rays rays_inside(const World& world, const Leaf& leaf, const Ray
   inside.direction = local_direction(world, leaf, rays);
   if (leaf.placement == no_placement) return inside;
   inside.unit = rays.unit && leaf.kind == LeafKind::mesh;  // whose placement is a shift
-  inside.first_place += leaf.first_place;
+  inside.first_place += leaf.place;
   inside.outer = &rays;
   inside.instance = &leaf;
   return inside;
@@ -38,36 +38,23 @@ inline void intersect_nested(const GroupRays& g, const Leaf& leaf, Mask active, 
     return;
   }
   // Inside, ties are lost to what was named before this instance and won against what was named after it.
-  Hits nested = hits;
+  Hits nested(hits.distance);
   const Ints order(leaf.order & order_mask);
   const Ints rank = hits.order & Ints(~order_mask);
   nested.order = select(order < (hits.order & Ints(order_mask)), rank + Ints(order_mask), rank);
-  nested.found = Mask(false);
-  intersect_group(g.world, leaf.target, inside, active, nested);
-  const Mask improved = nested.found;
-  if (none(improved)) return;
+  find_nearest(g.world, leaf.target, inside, active, nested);
+  if (none(nested.found)) return;
   const Placement& placement = g.world.placements[leaf.placement];
-  Float3 point = multiply(placement.linear, nested.point) + broadcast3(placement.translation);
-  if (leaf.moves) point = point + broadcast3(leaf.motion) * g.rays.time;
-  const Float3 normal = normalize_any_length(multiply_transposed(placement.inverse, nested.normal));
-  const Floats slack = max(Floats(leaf.slack), nested.slack * Floats(placement.stretch));
-  hits.distance = select(improved, nested.distance, hits.distance);
-  hits.order = select(improved, order + (nested.order & Ints(~order_mask)), hits.order);
-  hits.point = select(improved, point, hits.point);
-  hits.normal = select(improved, normal, hits.normal);
-  hits.surface = select(improved, nested.surface, hits.surface);
-  hits.two_sided = (hits.two_sided & ~improved) | (nested.two_sided & improved);
-  hits.texture_point = select(improved, nested.texture_point, hits.texture_point);
-  hits.place = select(improved, nested.place, hits.place);
-  hits.slack = select(improved, slack, hits.slack);
-  if (g.world.has_normals) {
-    hits.smooth = hits.smooth & ~improved;
-    const Mask smooth = nested.smooth & improved;
-    const SmoothPoint at{normalize(multiply_transposed(placement.inverse, nested.smooth_normal)),
-                         multiply(placement.linear, nested.lift)};
-    if (any(smooth)) hits.set_smooth(smooth, at);
+  nested.order = order + (nested.order & Ints(~order_mask));
+  nested.point = multiply(placement.linear, nested.point) + broadcast3(placement.translation);
+  if (leaf.moves) nested.point = nested.point + broadcast3(leaf.motion) * g.rays.time;
+  nested.normal = normalize_any_length(multiply_transposed(placement.inverse, nested.normal));
+  nested.slack = max(Floats(leaf.slack), nested.slack * Floats(placement.stretch));
+  if (any(nested.smooth)) {
+    nested.smooth_normal = normalize(multiply_transposed(placement.inverse, nested.smooth_normal));
+    nested.lift = multiply(placement.linear, nested.lift);
   }
-  hits.found |= improved;
+  hits.take(nested.found, nested);
 }
 
 // The state of a search for the nearest hit in one group: how far it is, and which leaf each lane has, until hits are
@@ -95,7 +82,7 @@ struct NearestSearch {
       leaf = select(changed, Ints(no_leaf), leaf);
       found |= changed;
     } else {
-      const Crossing crossing = cross_from_start(g, index, active, *this);
+      const Crossing crossing = wanted_crossing(g, candidate, active, *this);
       const Mask nearer = crossing.hit;
       if (none(nearer)) return;
       distance = select(nearer, crossing.distance, distance);
@@ -114,6 +101,7 @@ struct NearestSearch {
     const Ints order(candidate.order);
     return candidate.passage == Passage::solid ? select(crossing.leaving, order & Ints(order_mask), order) : order;
   }
+  PENUMBRA_INLINE static bool settles(const Rays& rays) { return rays.settle_ends; }
   PENUMBRA_INLINE bool done(Mask) const { return false; }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats enter) const { return active & (enter <= cull_distance); }
 };
@@ -134,11 +122,12 @@ struct AnySearch {
     } else if (candidate.kind == LeafKind::instance) {
       blocked |= occluded_group(g.world, candidate.target, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else {
-      blocked |= cross_from_start(g, index, active, *this).hit;
+      blocked |= wanted_crossing(g, candidate, active, *this).hit;
     }
   }
   PENUMBRA_INLINE Mask wants(const Crossing& c, const Leaf&) const { return c.distance < farthest; }
   PENUMBRA_INLINE Mask may_want(Floats t) const { return t < farthest; }
+  PENUMBRA_INLINE static bool settles(const Rays& rays) { return rays.start != nullptr; }
   PENUMBRA_INLINE bool done(Mask all) const { return none(all & ~blocked); }
   PENUMBRA_INLINE Mask still_wanted(Mask active, Floats) const { return active & ~blocked; }
 };

@@ -42,9 +42,19 @@ PENUMBRA_INLINE void traverse_nodes(const GroupRays& g, NodeReference root, Mask
       if (any_a && any_b) {
         const Mask both = in_a & in_b;
         const bool a_first = 2 * count(both & (a.enter <= b.enter)) >= count(both);
-        stack[waiting++] = a_first ? Waiting{b.enter, in_b, node.child[1]} : Waiting{a.enter, in_a, node.child[0]};
+        // Member by member: to copy whole what was only just written piece by piece makes the processor wait.
+        Waiting& later = stack[waiting++];
+        if (a_first) {
+          later.enter = b.enter;
+          later.active = in_b;
+          lanes = in_a;
+        } else {
+          later.enter = a.enter;
+          later.active = in_a;
+          lanes = in_b;
+        }
+        later.node = node.child[a_first ? 1 : 0];
         current = node.child[a_first ? 0 : 1];
-        lanes = a_first ? in_a : in_b;
         continue;
       }
       if (any_a || any_b) {
@@ -73,42 +83,33 @@ PENUMBRA_INLINE void traverse(const GroupRays& g, NodeReference root, Mask activ
   }
 }
 
-// Fills in the lanes of `hits` that meet something of the group nearer than they did so far. Of the `fresh` hits of a
-// new ray only distance and order are defined.
-template <bool fresh>
-PENUMBRA_INLINE void find_nearest(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
-  bool defined = !fresh;
-  if (fresh && world.groups[group].has_nested) {
-    hits.clear();
-    defined = true;
-  }
+// Fills in what the rays meet first in a group. Of `hits`, distance and order are defined: what is met must be nearer.
+inline void find_nearest(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
   const GroupRays g(world, world.groups[group], rays, active);
   NearestSearch search(hits);
   traverse(g, world.groups[group].root, active, search);
 
   hits.distance = search.distance;
   hits.order = search.order;
-  hits.found = fresh ? search.found : hits.found | search.found;
+  hits.found = search.found;
   alignas(64) std::uint32_t leaf_of_lane[lane_count];
   store(leaf_of_lane, search.leaf);
   Mask open = search.found & ~(search.leaf == Ints(no_leaf));
-  while (any(open)) {
+  if (none(open)) return;
+  hits.one_place = bits(open) == bits(search.found);
+  hits.the_place = g.place_of(world.leaves[leaf_of_lane[__builtin_ctz(bits(open))]]);
+  do {
     const std::uint32_t index = leaf_of_lane[__builtin_ctz(bits(open))];
     const Mask same = open & (search.leaf == Ints(index));
-    if (!defined && bits(same) == bits(open)) {
+    if (!hits.defined && bits(same) == bits(open)) {
       finish_hit<true>(g, index, same, hits);
       return;
     }
-    if (!defined) hits.clear();
-    defined = true;
+    hits.define();
     finish_hit<false>(g, index, same, hits);
+    hits.one_place = hits.one_place && g.place_of(world.leaves[index]) == hits.the_place;
     open = open & ~same;
-  }
-  if (!defined) hits.clear();
-}
-
-inline void intersect_group(const World& world, std::uint32_t group, const Rays& rays, Mask active, Hits& hits) {
-  find_nearest<false>(world, group, rays, active, hits);
+  } while (any(open));
 }
 
 inline Mask occluded_group(const World& world, std::uint32_t group, const Rays& rays, Floats farthest, Mask active) {
@@ -118,10 +119,23 @@ inline Mask occluded_group(const World& world, std::uint32_t group, const Rays& 
   return search.blocked;
 }
 
-// What the rays hit first, nearer than `farthest`.
+// What the rays hit first, nearer than `farthest`. What lies near their ends counts at first; where it was found
+// nearest, a second search decides. Few rays need it.
 __attribute__((noinline)) inline Hits intersect(const World& world, const Rays& rays, Floats farthest, Mask active) {
   Hits hits(farthest);
-  find_nearest<true>(world, 0, rays, active, hits);
+  find_nearest(world, 0, rays, active, hits);
+  if (none(hits.found)) {
+    hits.define();
+    return hits;
+  }
+  if (rays.start && !rays.settle_ends) {
+    const Mask near = hits.found & (rays.near_start(hits.distance) | rays.near_light(hits.distance));
+    if (any(near)) {
+      Rays careful = rays;
+      careful.settle_ends = true;
+      hits.take(near, intersect(world, careful, farthest, near));
+    }
+  }
   return hits;
 }
 

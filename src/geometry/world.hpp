@@ -45,7 +45,6 @@ struct alignas(64) Node {
 
 struct WorldGroup {
   NodeReference root = leaf_reference(0, 0);
-  bool has_nested = false;      // meshes or instances
   float origin[3] = {0, 0, 0};  // of the space that the group is traced in, in the space of the scene's numbers
 };
 

@@ -66,35 +66,41 @@ PENUMBRA_INLINE Pair light_numbers(const TraceContext& c, std::uint32_t number, 
   return c.sampler.pair(dimension);
 }
 
-// How much of the light comes through: 0 or 1, or the product of k_trans over all surfaces crossed on the way.
-inline Floats visibility(const TraceContext& c, const Rays& to_light, Mask active) {
-  const World& world = c.frame.world;
-  c.counts[RayKind::shadow] += static_cast<std::uint64_t>(count(active));
-  if (!c.frame.settings.transparent_shadows) {
-    return keep(active & ~occluded(world, to_light, to_light.light_distance, active), Floats(1));
-  }
+// The product of k_trans over all surfaces crossed on the way to a light.
+__attribute__((noinline)) inline Floats transmission_on_the_way(const TraceContext& c, const Rays& to_light,
+                                                                Mask active) {
+  // From surface to surface. The start of a leg looks back at the leg before it.
+  struct Leg {
+    Rays rays;
+    Hits hits{Floats(0)};
+    RayStart start;
+  } legs[2];
+  legs[0].rays = to_light;
   Floats through = keep(active, Floats(1));
-  Rays rays = to_light;
-  RayStart start;
-  Float3 normal;
   Mask open = active;
-  while (any(open)) {
-    const Hits hits = intersect(world, rays, rays.light_distance, open);
-    open = open & hits.found;
+  for (int i = 0; any(open); i = 1 - i) {
+    Leg& leg = legs[i];
+    leg.hits = intersect(c.frame.world, leg.rays, leg.rays.light_distance, open);
+    open = open & leg.hits.found;
     if (none(open)) break;
-    const Material material = material_at(c.frame, hits);
+    const Material material = material_at(c.frame, leg.hits);
     through = select(open, through * material.transmission, through);
     open = open & (through > Floats(0));
-    const Floats scale = scale_at(hits);
-    const Mask behind = dot(hits.normal, rays.direction) > Floats(0);
-    start = start_through(start_at(hits, rays, material, behind, scale), Mask(true));
-    normal = hits.normal;
-    start.normal = &normal;
-    start.incoming = &to_light.direction;
-    rays.light_distance = rays.light_distance - hits.distance + start.back;
-    rays.leave(start, hits.point, scale);
+    const Mask behind = dot(leg.hits.normal, leg.rays.direction) > Floats(0);
+    leg.start = start_at(leg.hits, leg.rays, material, behind);
+    Rays& next = legs[1 - i].rays;
+    next = leg.rays;
+    next.light_distance = leg.rays.light_distance - leg.hits.distance + leg.start.back;
+    next.leave(leg.start, Mask(true));
   }
   return through;
+}
+
+// How much of the light comes through: 0 or 1, or that product.
+PENUMBRA_INLINE Floats visibility(const TraceContext& c, const Rays& to_light, Mask active) {
+  c.counts[RayKind::shadow] += static_cast<std::uint64_t>(count(active));
+  if (c.frame.settings.transparent_shadows) return transmission_on_the_way(c, to_light, active);
+  return keep(active & ~occluded(c.frame.world, to_light, to_light.light_distance, active), Floats(1));
 }
 
 // max(0, N.H)^p or max(0, R.V)^p
@@ -115,28 +121,26 @@ inline Floats highlight(const Material& material, Float3 normal, Float3 toward_l
   return select(material.whole_power == Ints(0u), pow(base, material.specular_power), power);
 }
 
-// The normals of hits: for N.L, and on the viewer's side.
+// The normals of hits: for N.L, and on the viewer's side. Often the same.
 struct Normals {
-  Float3 shading, facing;
-  bool same;  // whether they are, in all lanes that hit
+  const Float3 *shading, *facing;
 };
 
 // The light that arrives from the lights.
 inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                           const Normals& normals, const RayStart& start, Floats scale, int depth, TreePlace place) {
+                           const Normals& normals, const RayStart& start, int depth, TreePlace place) {
   const Settings& settings = c.frame.settings;
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
-  RayStart start_behind;
   Rays shadow;
   shadow.time = rays.time;
   shadow.to_light = true;
-  shadow.leave(start, hits.point, scale);
+  shadow.leave(start, Mask(false));
   if (any(hits.smooth)) shadow.origin = select(hits.smooth, shadow.origin + hits.lift, shadow.origin);
   const auto from_point = [&](std::uint32_t number, Pair random) {
     const FrameLight& light = c.frame.lights[number];
     const LightSample sample = sample_light(light, shadow.origin, random);
-    const Floats toward_light = dot(normals.shading, sample.toward);
+    const Floats toward_light = dot(*normals.shading, sample.toward);
     const Floats cosine = max(toward_light, zero);
     Mask lit = hits.found;
     if (!material.any_specular) lit &= cosine > zero;
@@ -146,12 +150,13 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     if (settings.shadows) {
       // From behind, the light comes through the surface itself; where it is smooth, that is told by its smooth normal.
       Floats in_front = toward_light;
-      if (!normals.same) in_front = select(hits.smooth, toward_light, dot(normals.facing, sample.toward));
+      if (normals.facing != normals.shading) {
+        in_front = select(hits.smooth, toward_light, dot(*normals.facing, sample.toward));
+      }
       const Mask through = ~(in_front > zero);
       Floats own = Floats(1);
       if (settings.transparent_shadows) {
-        start_behind = start_through(start, through);
-        shadow.start = &start_behind;
+        shadow.leave(start, through);
         own = select(through, material.transmission, own);
         lit &= own > zero;
       } else {
@@ -167,7 +172,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
     if (none(lit)) return Float3{zero, zero, zero};
     Float3 reflected = material.diffuse * cosine;
     if (material.any_specular) {
-      reflected += material.specular * highlight(material, normals.shading, sample.toward, rays.direction);
+      reflected += material.specular * highlight(material, *normals.shading, sample.toward, rays.direction);
     }
     reflected = reflected * sample.radiance;
     return keep(lit, settings.transparent_shadows ? reflected * visible : reflected);
@@ -203,13 +208,13 @@ struct Lobe {
 };
 
 // What the rays of a lobe bring.
-inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hits, Floats scale, const Lobe& lobe,
-                         Mask active, int depth, TreePlace place) {
+inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Lobe& lobe, Mask active, int depth,
+                         TreePlace place) {
   c.recorder.announce(lobe.kind, lobe.factor, lobe.count, depth);
   c.counts[lobe.kind] += lobe.count * static_cast<std::uint64_t>(count(active));
   Rays next;
   next.time = rays.time;
-  next.leave(lobe.start, hits.point, scale);
+  next.leave(lobe.start, Mask(lobe.kind == RayKind::transmission));
   next.direction = lobe.direction;
   const TreePlace next_place = step(place, lobe.ray_step);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
@@ -226,14 +231,16 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Hits& hi
 
 // What the reflected and the transmitted rays bring.
 inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits& hits, const Material& material,
-                             Float3 facing, const RayStart& start, Floats scale, int depth, TreePlace place) {
+                             const Float3& facing, const RayStart& start, int depth, TreePlace place) {
   const Floats zero = Floats(0);
   Float3 sum{zero, zero, zero};
   Floats reflection = material.reflection, gloss_radius = material.gloss_radius;
   bool any_gloss = material.any_gloss;
   Mask transmits(false);
   Floats transmission = material.transmission;
-  RayStart beyond = start_through(start, Mask(true));
+  const RayStart* beyond = &start;
+  RayStart on_next;
+  Ints next_place;
   const bool smooth = any(hits.smooth);
   Float3 bent = facing;  // the smooth normal, as long as it shows to the viewer
   if (smooth) {
@@ -242,21 +249,26 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
   Float3 refracted = rays.direction;
   if (material.any_transmission) {
     const Floats index = material.refraction_index;
-    const Refraction refraction = refract(rays.direction, bent, select(start.inward, index, Floats(1) / index));
+    const Refraction refraction = refract(rays.direction, bent, select(start.behind, index, Floats(1) / index));
     const Mask candidates = hits.found & (material.transmission != zero);
     Mask total = candidates & refraction.total;
     Float3 direction = refraction.direction;
     // Between two solids that touch there is nothing that reflects totally: the rays go from one into the other.
-    if (any(total & start.inward)) {
-      const SolidBehind behind = solid_behind(c.frame, rays, hits, start, scale, total & start.inward);
+    if (any(total & start.behind)) {
+      const SolidBehind behind = solid_behind(c.frame, rays, hits, start, total & start.behind);
       const Refraction direct = refract(rays.direction, bent, index / behind.refraction_index);
       const Mask passes = behind.touches & ~direct.total;
       total &= ~passes;
       direction = select(passes, direct.direction, direction);
       transmission = select(passes, transmission * behind.transmission, transmission);
-      beyond.place = select(passes, behind.place, beyond.place);
-      beyond.one_place = beyond.one_place && none(passes);
-      beyond.inward |= passes;
+      if (any(passes)) {
+        next_place = select(passes, behind.place, hits.place);
+        on_next = start;
+        on_next.place = &next_place;
+        on_next.one_place = false;
+        on_next.behind = start.behind & ~passes;
+        beyond = &on_next;
+      }
     }
     reflection = select(total, reflection + material.transmission, reflection);
     // A frosted solid is as frosted from inside.
@@ -275,13 +287,13 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
     const std::uint32_t count = rays_of_hit(c.frame.settings.reflection_rays, place);
     const Lobe lobe{RayKind::reflection, reflection, count, mirror,     any_gloss,
                     gloss_radius,        facing,     start, step_gloss, step_reflection};
-    sum += trace_lobe(c, rays, hits, scale, lobe, reflects, depth, place);
+    sum += trace_lobe(c, rays, lobe, reflects, depth, place);
   }
   if (any(transmits)) {
     const std::uint32_t count = rays_of_hit(c.frame.settings.transmission_rays, place);
-    const Lobe lobe{RayKind::transmission, transmission, count,  refracted, material.any_blur,
-                    material.blur_radius,  -facing,      beyond, step_blur, step_transmission};
-    sum += trace_lobe(c, rays, hits, scale, lobe, transmits, depth, place);
+    const Lobe lobe{RayKind::transmission, transmission, count,   refracted, material.any_blur,
+                    material.blur_radius,  -facing,      *beyond, step_blur, step_transmission};
+    sum += trace_lobe(c, rays, lobe, transmits, depth, place);
   }
   return sum;
 }
@@ -290,42 +302,42 @@ inline Float3 indirect_light(const TraceContext& c, const Rays& rays, const Hits
 inline Float3 trace(const TraceContext& c, const Rays& rays, Mask active, int depth, TreePlace place,
                     FirstHits* first) {
   const Hits hits = intersect(c.frame.world, rays, Floats(__builtin_inff()), active);
-  Float3 color = keep(active & ~hits.found, broadcast3(c.frame.background));
   if (first) first->found = hits.found;
   c.recorder.begin(rays, hits, active, depth);
-  if (none(hits.found)) {
+  const auto with_background = [&](Float3 reflected) {
+    const Float3 color = select(hits.found, reflected, keep(active, broadcast3(c.frame.background)));
     c.recorder.end(color, depth);
     return color;
-  }
+  };
+  if (none(hits.found)) return with_background(hits.normal);
 
   const Material material = material_at(c.frame, hits);
   Mask behind = dot(hits.normal, rays.direction) > Floats(0);
-  if (rays.start) behind |= rays.start->inward & (hits.place == rays.start->place);
+  if (rays.any_inward) behind |= rays.inward() & (hits.place == *rays.start->place);
   behind &= hits.found;
-  Normals normals{hits.normal, hits.normal, none(behind)};
-  if (!normals.same) {
-    normals.facing = select(behind, -hits.normal, hits.normal);
-    normals.shading = select(hits.two_sided, normals.facing, hits.normal);
+  Float3 facing, shading;
+  Normals normals{&hits.normal, &hits.normal};
+  if (any(behind)) {
+    facing = select(behind, -hits.normal, hits.normal);
+    shading = select(hits.two_sided, facing, hits.normal);
+    normals = {&shading, &facing};
   }
   if (any(hits.smooth)) {
-    normals.shading = select(hits.smooth, hits.smooth_normal, normals.shading);
-    normals.same = false;
+    shading = select(hits.smooth, hits.smooth_normal, *normals.shading);
+    normals.shading = &shading;
   }
   if (first) {
     first->distance = hits.distance;
-    first->normal = normals.shading;
+    first->normal = *normals.shading;
     first->albedo = material.diffuse;
   }
-  c.recorder.surface(material.ambient, normals.shading, depth);
-  const Floats scale = scale_at(hits);
-  const RayStart start = start_at(hits, rays, material, behind, scale);
-  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, start, scale, depth, place);
+  c.recorder.surface(material.ambient, *normals.shading, depth);
+  const RayStart start = start_at(hits, rays, material, behind);
+  Float3 reflected = material.ambient + direct_light(c, rays, hits, material, normals, start, depth, place);
   if (material.any_reflection && depth < c.frame.settings.max_depth) {
-    reflected += indirect_light(c, rays, hits, material, normals.facing, start, scale, depth, place);
+    reflected += indirect_light(c, rays, hits, material, *normals.facing, start, depth, place);
   }
-  color += keep(hits.found, reflected);
-  c.recorder.end(color, depth);
-  return color;
+  return with_background(reflected);
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

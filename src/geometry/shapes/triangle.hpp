@@ -113,6 +113,8 @@ struct SeenPlane {
 
   // Where they go toward the plane.
   PENUMBRA_INLINE Mask ahead() const { return (as_ints(cosine) ^ as_ints(height)) < Ints(0x80000000u); }
+  // Where they go toward it, or start at most `back` beyond it.
+  PENUMBRA_INLINE Mask ahead_from(Floats back) const { return ahead() | (abs(height) <= back * abs(cosine)); }
   PENUMBRA_INLINE Floats distance() const { return height / cosine; }
   // Where the distance has few digits.
   PENUMBRA_INLINE Mask grazing(Float3 direction) const {

@@ -1,6 +1,8 @@
 // A packet of rays, and what the world answers about it.
 #pragma once
 
+#include <atomic>
+
 #include "base/lane_math.hpp"
 #include "geometry/ray_start.hpp"
 #include "geometry/smooth_triangle.hpp"
@@ -23,6 +25,7 @@ struct Rays {
   // A shadow ray ends before the surfaces that its light lies in.
   bool to_light = false;
   Floats light_distance;
+  const std::atomic<bool>* given_up = nullptr;  // once it is set, searches may end early, with any result
   bool settle_ends = false;  // the search for the nearest hit decides about crossings near the ends
   // Inside of an instance: the rays outside of it, its leaf, and the place (Hits::place) of leaf 0.
   const Rays* outer = nullptr;
@@ -42,6 +45,7 @@ struct Rays {
   PENUMBRA_INLINE Mask near_light(Floats distance) const {
     return Mask(to_light) & (distance > light_distance * Floats(1 - light_share));
   }
+  PENUMBRA_INLINE bool are_given_up() const { return given_up && given_up->load(std::memory_order_relaxed); }
   // Which of them leave it to the side that its normal points away from.
   PENUMBRA_INLINE Mask inward() const { return leaves_inward(*start, through); }
 };

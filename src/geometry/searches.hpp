@@ -73,6 +73,7 @@ struct NearestSearch {
   PENUMBRA_INLINE void visit(const GroupRays& g, std::uint32_t index, Mask active) {
     const Leaf& candidate = g.world.leaves[index];
     if (candidate.is_nested()) {
+      if (g.rays.are_given_up()) return;
       hits.distance = distance;
       hits.order = order;
       intersect_nested(g, candidate, active, hits);
@@ -117,6 +118,7 @@ struct AnySearch {
   PENUMBRA_INLINE void visit(const GroupRays& g, std::uint32_t index, Mask active) {
     const Leaf& candidate = g.world.leaves[index];
     active = active & ~blocked;
+    if (candidate.is_nested() && g.rays.are_given_up()) return;
     if (candidate.kind == LeafKind::mesh) {
       blocked |= occluded_mesh(g.world, candidate, rays_inside(g.world, candidate, g.rays), farthest, active);
     } else if (candidate.kind == LeafKind::instance) {

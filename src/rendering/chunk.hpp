@@ -9,6 +9,7 @@
 
 #include "rendering/film.hpp"
 #include "rendering/plan.hpp"
+#include "rendering/saved_sums.hpp"
 #include "tracing/kernel.hpp"
 
 namespace penumbra {
@@ -53,15 +54,21 @@ struct ChunkRenderer {
   }
 
   // Adds the samples of a range to the pixels of a chunk, and calls `added(first, end)` after each batch, which the
-  // film's counts do not include yet. Returns false if stopped before the end.
+  // film's counts do not include yet. Returns false if stopped before the end; what was given up has left no trace.
   template <class Added>
   bool render(const Chunk& chunk, SampleRange range, const Added& added) const {
     for (std::uint32_t first = range.first; first < range.end;) {
       if (state.is_stopped()) return false;
       const std::uint32_t end = chunk.end_after(first, range.end);
-      const std::uint64_t rays_before = rays.total();
-      kernel.render_pixels(frame, view, {chunk.pixels, first, end}, rays);
-      state.rays.fetch_add(rays.total() - rays_before, std::memory_order_relaxed);
+      const RayCounts rays_before = rays;
+      const SavedSums sums_before(view, chunk.pixels);
+      kernel.render_pixels(frame, view, {chunk.pixels, first, end, &state.give_up}, rays);
+      if (state.give_up.load(std::memory_order_relaxed)) {
+        sums_before.put_back(view, chunk.pixels);
+        rays = rays_before;
+        return false;
+      }
+      state.rays.fetch_add(rays.total() - rays_before.total(), std::memory_order_relaxed);
       added(first, end);
       first = end;
     }

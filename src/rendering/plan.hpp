@@ -52,9 +52,13 @@ struct RenderState {
   std::atomic<std::uint64_t> pixel_samples_before{0};    // of these, in earlier sessions
   std::atomic<std::uint64_t> pixel_samples_expected{0};  // in total; 0: the render has no better estimate
   std::atomic<std::uint64_t> rays{0};
-  std::atomic<bool> stop{false};  // ends the render in some hundredths of a second; calling it again resumes it
+  // Either ends the render, and calling it again resumes it. `stop` ends it when the samples in work are complete,
+  // usually in some hundredths of a second; `give_up` drops them, at once whatever the scene.
+  std::atomic<bool> stop{false}, give_up{false};
 
-  bool is_stopped() const { return stop.load(std::memory_order_relaxed); }
+  bool is_stopped() const {
+    return stop.load(std::memory_order_relaxed) || give_up.load(std::memory_order_relaxed);
+  }
 };
 
 }  // namespace penumbra

@@ -53,7 +53,7 @@ RayCounts UniformRender::run(RenderState& state) {
   std::uint32_t end = in_passes_ ? std::min(samples_of_first_pass, rays_) : rays_;
   for (;;) {
     rays += render_samples(film_, frame_, kernel_, plan_, {0, end}, state);
-    if (end == rays_ || state.stop) return rays;
+    if (end == rays_ || state.is_stopped()) return rays;
     end = end > rays_ / 2 ? rays_ : 2 * end;
   }
 }

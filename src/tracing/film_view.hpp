@@ -1,6 +1,7 @@
 // What a kernel sees of a film: where the sums of samples go, and which samples of which pixels are wanted.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,6 +37,7 @@ struct FilmView {
 struct PixelSamples {
   std::span<const Pixel> pixels;
   std::uint32_t first, end;
+  const std::atomic<bool>* given_up = nullptr;  // once it is set, the film gets anything: nobody wants these samples
 };
 
 }  // namespace penumbra

@@ -47,6 +47,7 @@ inline SolidBehind solid_behind(const Frame& frame, const Rays& rays, const Hits
                                 Mask leaving) {
   Rays probe;
   probe.time = rays.time;
+  probe.given_up = rays.given_up;
   probe.direction = rays.direction;
   probe.leave(start, Mask(true));
   const Hits behind = intersect(frame.world, probe, -start.nearest, leaving);

@@ -25,7 +25,8 @@ struct PacketRenderer {
   PENUMBRA_INLINE void add_packet(const PixelSampler& pixel, Ints column, Ints row, std::uint32_t first,
                                   int samples_per_pixel, Mask active, PixelSums& sums) const {
     const Sampler sampler(pattern, pixel, first, samples_per_pixel);
-    const Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
+    Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
+    rays.given_up = wanted.given_up;
     counts[RayKind::eye] += static_cast<std::uint64_t>(count(active));
     const TraceContext context{frame, sampler, counts, recorder};
     FirstHits first_hits;

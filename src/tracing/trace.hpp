@@ -78,7 +78,7 @@ __attribute__((noinline)) inline Floats transmission_on_the_way(const TraceConte
   legs[0].rays = to_light;
   Floats through = keep(active, Floats(1));
   Mask open = active;
-  for (int i = 0; any(open); i = 1 - i) {
+  for (int i = 0; any(open) && !to_light.are_given_up(); i = 1 - i) {
     Leg& leg = legs[i];
     leg.hits = intersect(c.frame.world, leg.rays, leg.rays.light_distance, open);
     open = open & leg.hits.found;
@@ -134,6 +134,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   Float3 sum{zero, zero, zero};
   Rays shadow;
   shadow.time = rays.time;
+  shadow.given_up = rays.given_up;
   shadow.to_light = true;
   shadow.leave(start, Mask(false));
   if (any(hits.smooth)) shadow.origin = select(hits.smooth, shadow.origin + hits.lift, shadow.origin);
@@ -181,7 +182,7 @@ inline Float3 direct_light(const TraceContext& c, const Rays& rays, const Hits& 
   for (std::uint32_t number = 0; number < light_count; number++) {
     const bool has_area = c.frame.lights[number].has_area;
     const std::uint32_t points = has_area ? rays_of_hit(settings.shadow_rays, place) : 1;
-    for (std::uint32_t k = 0; k < points; k++) {
+    for (std::uint32_t k = 0; k < points && !rays.are_given_up(); k++) {
       const Pair random = has_area ? light_numbers(c, number, place, {k, points}) : Pair{zero, zero};
       const Float3 light_of_point = from_point(number, random);
       const Float3 brought = points == 1 ? light_of_point : light_of_point * Floats(1.0f / static_cast<float>(points));
@@ -214,11 +215,12 @@ inline Float3 trace_lobe(const TraceContext& c, const Rays& rays, const Lobe& lo
   c.counts[lobe.kind] += lobe.count * static_cast<std::uint64_t>(count(active));
   Rays next;
   next.time = rays.time;
+  next.given_up = rays.given_up;
   next.leave(lobe.start, Mask(lobe.kind == RayKind::transmission));
   next.direction = lobe.direction;
   const TreePlace next_place = step(place, lobe.ray_step);
   Float3 sum{Floats(0), Floats(0), Floats(0)};
-  for (std::uint32_t k = 0; k < lobe.count; k++) {
+  for (std::uint32_t k = 0; k < lobe.count && !rays.are_given_up(); k++) {
     if (lobe.spread) {
       const Sampler sampler = lobe.count == 1 ? c.sampler : c.sampler.among(k, lobe.count);
       next.direction = spread(lobe.direction, lobe.radius, lobe.side, sampler, step(place, lobe.random_step));

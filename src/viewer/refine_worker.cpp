@@ -26,7 +26,7 @@ void RefineWorker::show(std::uint64_t number, RefineTask task) {
   next_ = std::move(task);
   next_number_ = number;
   news_ = {};
-  state_.stop = true;
+  state_.give_up = true;
   changed_.notify_all();
 }
 
@@ -34,21 +34,21 @@ void RefineWorker::set_limit(std::uint32_t limit) {
   const std::lock_guard lock(mutex_);
   limit_ = limit;
   if (next_) next_->limit = limit;
-  state_.stop = true;
+  state_.give_up = true;
   changed_.notify_all();
 }
 
 void RefineWorker::pause(bool paused) {
   const std::lock_guard lock(mutex_);
   paused_ = paused;
-  if (paused) state_.stop = true;
+  if (paused) state_.give_up = true;
   changed_.notify_all();
 }
 
 void RefineWorker::quit() {
   const std::lock_guard lock(mutex_);
   quit_ = true;
-  state_.stop = true;
+  state_.give_up = true;
   changed_.notify_all();
 }
 
@@ -124,7 +124,7 @@ bool RefineWorker::wait_for_work(std::uint32_t rays, bool done, std::uint32_t li
   const auto is_waiting = [&] { return done || (paused_ && rays > 0); };
   changed_.wait(lock, [&] { return is_over() || limit_ != limit || !is_waiting(); });
   if (is_over()) return false;
-  state_.stop = false;
+  state_.give_up = false;
   return true;
 }
 

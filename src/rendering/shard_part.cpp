@@ -87,12 +87,19 @@ const PartHeader& most_common(const std::vector<Part>& parts) {
 
 }  // namespace
 
-std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
-  SealedWriter file(FileKind::part);
+std::vector<std::byte> encode_part(const PartHeader& header, const Film& film, std::vector<std::byte> before) {
+  SealedWriter file(FileKind::part, std::move(before));
   ArchiveWriter block;
   serialize(block, header);
   file.add(block.bytes());
   const TileGrid grid = header.tiles();
+  std::size_t tiles = 0, most_pixels = 0;
+  for (int tile = 0; tile < grid.count(); tile++) {
+    if (!grid.has(header.shard, tile)) continue;
+    tiles++;
+    most_pixels = std::max(most_pixels, grid.tile(tile).pixel_count());
+  }
+  file.expect(tiles, sizeof(int) + most_pixels * Film::bytes_per_pixel(film.layers()));
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     block.clear();

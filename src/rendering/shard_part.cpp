@@ -93,13 +93,13 @@ std::vector<std::byte> encode_part(const PartHeader& header, const Film& film, s
   serialize(block, header);
   file.add(block.bytes());
   const TileGrid grid = header.tiles();
-  std::size_t tiles = 0, most_pixels = 0;
+  std::size_t tiles = 0, largest_tile = 0;
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     tiles++;
-    most_pixels = std::max(most_pixels, grid.tile(tile).pixel_count());
+    largest_tile = std::max(largest_tile, grid.tile(tile).pixel_count());
   }
-  file.expect(tiles, sizeof(int) + most_pixels * Film::bytes_per_pixel(film.layers()));
+  file.expect(tiles, sizeof(int) + largest_tile * Film::bytes_per_pixel(film.layers()));
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     block.clear();

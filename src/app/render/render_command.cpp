@@ -10,6 +10,7 @@
 #include <ctime>
 
 #include "app/files/rescue.hpp"
+#include "app/render/memory_need.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/picture_files.hpp"
 #include "app/render/picture_job.hpp"
@@ -84,7 +85,14 @@ class RenderRun {
  private:
   // Everything that can be known before the first ray. Returns the exit code, 0 if nothing is wrong. Throws FileError.
   int check_everything(RenderPaths& paths) {
-    if (const int code = scenes_.check([&] { paths.add(scenes_); })) return code;
+    MemoryNeed need;
+    const auto visit = [&] {
+      paths.add(scenes_);
+      const MemoryNeed of_frame = memory_need(scenes_.options(), scenes_.file());
+      if (of_frame.bytes > need.bytes) need = of_frame;
+    };
+    if (const int code = scenes_.check(visit)) return code;
+    if (!asked_.debug_pixel) require_memory(need, asked_.memory_limit);
     paths.try_to_write();
     session_.open_checkpoint();
     session_.require_scene(version, scenes_.file().hash, frames_in_words(scenes_.options()));
@@ -148,7 +156,7 @@ class RenderRun {
       return true;
     }
 
-    const std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
+    std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
     const std::uint64_t pixels = pixel_count(tiles_of(job.plan.crop, asked_.sample_counts()), job.plan.shard);
     if (asked_.noise && !asked_.quiet) warn_of_small_objects(job, frame);
     RenderState state;
@@ -176,7 +184,9 @@ class RenderRun {
     }
 
     start = Clock::now();
-    write(job, render->take_film(), finished, files, static_cast<double>(pixels));
+    Film film = render->take_film();
+    render.reset();
+    write(job, std::move(film), finished, files, static_cast<double>(pixels));
     stats_.write_seconds += seconds_since(start);
     return finished;
   }

@@ -32,6 +32,14 @@ class ArchiveWriter {
  public:
   static constexpr bool reads = false;
 
+  ArchiveWriter() = default;
+  // Continues after bytes that are there already.
+  explicit ArchiveWriter(std::vector<std::byte> before) : bytes_(std::move(before)) {}
+
+  // Declares that so many bytes will be written from here on. Otherwise the writer takes up to three times their memory
+  // while it grows.
+  void expect(std::size_t bytes) { bytes_.reserve(bytes_.size() + bytes); }
+
   template <ArchivedNumber T>
   void operator()(T value) {
     numbers(std::span<const T>(&value, 1));

@@ -94,19 +94,6 @@ std::optional<int> descriptor_named(const fs::path& path) {
   return std::nullopt;
 }
 
-// The file at the end of a chain of symbolic links; it need not exist.
-fs::path follow_links(const fs::path& path) {
-  fs::path target = path;
-  std::error_code error;
-  for (int hops = 0; fs::is_symlink(target, error); hops++) {
-    const fs::path next = fs::read_symlink(target, error);
-    if (error) fail(EX_CANTCREAT, "create", path, error.value());
-    if (hops == 40) fail(EX_CANTCREAT, "create", path, ELOOP);
-    target = target.parent_path() / next;
-  }
-  return target;
-}
-
 void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   const std::optional<int> inherited = descriptor_named(path);
   Descriptor file(inherited ? ::fcntl(*inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
@@ -175,19 +162,48 @@ bool link_as(const fs::path& target, const fs::path& second, const std::string& 
   return temporary.renamed;
 }
 
-void replace_file(const fs::path& path, const fs::path& target, const struct stat* old,
-                  std::span<const std::byte> bytes, OldFile old_file) {
+// Where a write to a path goes.
+struct Target {
+  fs::path file;  // at the end of all links
+  std::optional<struct stat> old;
+  bool in_place = false;  // a pipe, a device or a descriptor, which no other file can replace
+};
+
+Target target_of_write(const fs::path& path) {
+  if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
+  Target target{path, {}, descriptor_named(path).has_value()};
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    target.old = status;
+  } else if (errno != ENOENT && !target.in_place) {
+    fail(EX_CANTCREAT, "create", path, errno);
+  }
+  if (target.old && S_ISDIR(target.old->st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
+  target.in_place |= target.old && !S_ISREG(target.old->st_mode);
+  if (target.in_place) return target;
+  target.file = target_of_links(path);
   // A rename would silently replace a write-protected file.
-  if (old && ::access(target.c_str(), W_OK) != 0) fail(EX_CANTCREAT, "replace", path, errno);
-  const fs::path folder = folder_of(target);
+  if (target.old && ::access(target.file.c_str(), W_OK) != 0) fail(EX_CANTCREAT, "replace", path, errno);
+  return target;
+}
+
+// Creates the temporary file `name` for a write to `path`.
+Descriptor create_temporary(const std::string& name, const fs::path& path) {
+  // The name is ours alone, so an existing file comes from a dead run that had our process id.
+  ::unlink(name.c_str());
+  const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (fd < 0) fail(EX_CANTCREAT, "create", path, errno);
+  return Descriptor(fd);
+}
+
+void replace_file(const fs::path& path, const Target& to, std::span<const std::byte> bytes, OldFile old_file) {
+  const fs::path &target = to.file, folder = folder_of(target);
+  const auto& old = to.old;
   const std::string prefix = temporary_prefix(target);
   remove_stale_temporaries(folder, prefix);
 
   const std::string name = temporary_name(folder, prefix);
-  // The name is ours alone, so an existing file comes from a dead run that had our process id.
-  ::unlink(name.c_str());
-  Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail(EX_CANTCREAT, "create", path, errno);
+  Descriptor file = create_temporary(name, path);
   Temporary temporary(name);
   if (old) keep_permissions(file.get(), *old);
   if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
@@ -210,13 +226,23 @@ void replace_file(const fs::path& path, const fs::path& target, const struct sta
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
-  if (path.empty()) throw FileError(EX_CANTCREAT, "cannot create a file without a name");
-  struct stat old {};
-  const bool exists = ::stat(path.c_str(), &old) == 0;
-  // If stat() fails for another reason, creating the file will report it.
-  if (exists && S_ISDIR(old.st_mode)) fail(EX_CANTCREAT, "create", path, EISDIR);
-  if (descriptor_named(path) || (exists && !S_ISREG(old.st_mode))) return write_directly(path, bytes);
-  replace_file(path, follow_links(path), exists ? &old : nullptr, bytes, old_file);
+  const Target target = target_of_write(path);
+  if (target.in_place) return write_directly(path, bytes);
+  replace_file(path, target, bytes, old_file);
+}
+
+void try_to_write(const fs::path& path) {
+  const Target target = target_of_write(path);
+  if (!target.in_place) {
+    const std::string name = temporary_name(folder_of(target.file), temporary_prefix(target.file));
+    const Descriptor file = create_temporary(name, path);
+    const Temporary removed_again(name);
+  } else if (const std::optional<int> inherited = descriptor_named(path)) {
+    const int flags = ::fcntl(*inherited, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) fail(EX_CANTCREAT, "open", path, EBADF);
+  } else if (::access(path.c_str(), W_OK) != 0) {
+    fail(EX_CANTCREAT, "open", path, errno);
+  }
 }
 
 void force_folder_of(const fs::path& path) {
@@ -226,16 +252,25 @@ void force_folder_of(const fs::path& path) {
   if (directory.get() >= 0) sync(directory.get());
 }
 
-fs::path previous_of(const fs::path& path) { return follow_links(path) += ".previous"; }
-
-void remove_file_and_previous(const fs::path& path) {
-  const fs::path target = follow_links(path);
-  for (const fs::path& file : {target, previous_of(target)}) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) continue;
-    fs::remove(file, error);
-    if (error) fail(EX_CANTCREAT, "remove", file, error.value());
+fs::path target_of_links(const fs::path& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int hops = 0; fs::is_symlink(target, error); hops++) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) fail(EX_CANTCREAT, "create", path, error.value());
+    if (hops == 40) fail(EX_CANTCREAT, "create", path, ELOOP);
+    target = target.parent_path() / next;
   }
+  return target;
+}
+
+fs::path previous_of(const fs::path& path) { return target_of_links(path) += ".previous"; }
+
+void remove_file(const fs::path& path) {
+  const fs::path target = target_of_links(path);
+  std::error_code error;
+  fs::remove(target, error);
+  if (error) fail(EX_CANTCREAT, "remove", target, error.value());
   remove_stale_temporaries(folder_of(target), temporary_prefix(target));
 }
 

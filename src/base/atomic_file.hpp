@@ -31,15 +31,22 @@ enum class OldFile { goes, stays_as_previous };
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                            OldFile old_file = OldFile::goes);
 
+// Finds out, by creating the temporary file of such a write and removing it again, what would keep the write from
+// beginning. Throws the same FileError 73.
+void try_to_write(const std::filesystem::path& path);
+
 // Forces the folder of such a file to the disk, which takes as long as writing a small file. The file is complete and
 // in place already, so failure is not reported.
 void force_folder_of(const std::filesystem::path& path);
 
-// `path`, or the target if it is a link, with `.previous` appended.
+// The file at the end of a chain of symbolic links; it need not exist. Throws FileError 73 if the links form a circle.
+std::filesystem::path target_of_links(const std::filesystem::path& path);
+
+// The same, with `.previous` appended.
 std::filesystem::path previous_of(const std::filesystem::path& path);
 
-// Removes such a file, its previous version, and what killed runs left beside them.
-void remove_file_and_previous(const std::filesystem::path& path);
+// Removes such a file, if there is one, and what killed runs left beside it. Throws FileError 73.
+void remove_file(const std::filesystem::path& path);
 
 // The content of the file `path`. Throws FileError: 66 when it cannot be opened, 74 when it cannot be read.
 std::vector<std::byte> read_file(const std::filesystem::path& path);

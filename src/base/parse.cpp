@@ -35,4 +35,16 @@ std::optional<double> seconds_from(std::string_view text, double plain_unit) {
   return unit == "d" ? std::optional(86400 * number) : std::nullopt;
 }
 
+std::optional<std::uint64_t> bytes_from(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (unit.ends_with('B')) unit.remove_suffix(1);
+  constexpr std::string_view units = "MGT";
+  const std::size_t power = unit.size() == 1 ? units.find(unit.front()) : units.npos;
+  if (error != std::errc{} || power == units.npos) return std::nullopt;
+  const double bytes = std::ldexp(number, 20 + 10 * static_cast<int>(power));
+  return bytes >= 1 << 20 && bytes < 1e18 ? std::optional(static_cast<std::uint64_t>(bytes)) : std::nullopt;
+}
+
 }  // namespace penumbra

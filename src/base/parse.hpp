@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -26,6 +27,10 @@ std::vector<double> numbers(std::string_view text, char separator);
 // The seconds of "90s", "1.5m" (also "min"), "2h" or "1d"; a number alone is in units of `plain_unit` seconds. None for
 // any other text, and for what is not above 0.
 std::optional<double> seconds_from(std::string_view text, double plain_unit);
+
+// The bytes of "500M", "4G" or "1.5T", in powers of 1024; B may follow. None for any other text, and for what is not at
+// least 1 MB.
+std::optional<std::uint64_t> bytes_from(std::string_view text);
 
 // The value of an enumeration whose names are listed in its order; none if the text is not one of them.
 template <class Enum>

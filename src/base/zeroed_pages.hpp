@@ -58,9 +58,13 @@ class ZeroedPages {
 
   bool operator==(const ZeroedPages&) const { return true; }
 
+  static constexpr std::size_t large_page = std::size_t{2} << 20;  // bytes of a huge page
+
+  // Whether an allocation of so many elements consists of pages of its own.
+  static constexpr bool has_own_pages(std::size_t count) { return count * sizeof(T) >= fewest_bytes; }
+
  private:
   static constexpr std::align_val_t alignment{alignof(T)};
-  static constexpr std::size_t large_page = std::size_t{2} << 20;  // bytes of a huge page
   // Below this, clearing a huge page takes longer than clearing a few small ones.
   static constexpr std::size_t fewest_bytes = large_page / 8;
   static std::size_t whole_pages(std::size_t bytes) { return (bytes + large_page - 1) / large_page * large_page; }
@@ -69,5 +73,17 @@ class ZeroedPages {
 // A vector that shrank and grows again by resize() finds its old values there, not 0.
 template <class T>
 using ZeroedVector = std::vector<T, ZeroedPages<T>>;
+
+// Gives the huge pages that lie between two elements back to the operating system: these elements are 0 afterwards. A
+// small array keeps its memory, and its elements.
+template <class T>
+void give_back(ZeroedVector<T>& array, std::size_t first, std::size_t end) {
+  using Pages = ZeroedPages<T>;
+  if (!Pages::has_own_pages(array.capacity())) return;
+  const std::size_t begin_byte = (first * sizeof(T) + Pages::large_page - 1) / Pages::large_page * Pages::large_page;
+  const std::size_t end_byte = end * sizeof(T) / Pages::large_page * Pages::large_page;
+  if (begin_byte >= end_byte) return;
+  madvise(reinterpret_cast<std::byte*>(array.data()) + begin_byte, end_byte - begin_byte, MADV_DONTNEED);
+}
 
 }  // namespace penumbra

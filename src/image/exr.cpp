@@ -40,6 +40,8 @@ void require_agreement(const ImageFile& file) {
 
 }  // namespace
 
+void load_exr_module() { exr_module(); }
+
 std::vector<std::byte> encode_exr(const ImageFile& file) {
   require_agreement(file);
   const ExrModule& module = exr_module();

@@ -15,6 +15,9 @@ namespace penumbra {
 // Throws FileError 70 when sizes do not agree or OpenEXR refuses the picture.
 std::vector<std::byte> encode_exr(const ImageFile& file);
 
+// Loads the module below, which encoding and decoding otherwise do when they first need it. Throws FileError 70.
+void load_exr_module();
+
 // Whether the bytes begin like an EXR file.
 bool is_exr(std::span<const std::byte> bytes);
 

@@ -9,6 +9,16 @@
 #include "image/png.hpp"
 
 namespace penumbra {
+namespace {
+
+ImageFormat required_format(const std::filesystem::path& path) {
+  const ImageFormat format = format_of(path);
+  if (format != ImageFormat::none) return format;
+  throw FileError(EX_CANTCREAT,
+                  fmt::format("cannot write `{}`: a picture's name must end in .png or .exr", path.string()));
+}
+
+}  // namespace
 
 ImageFormat format_of(const std::filesystem::path& path) {
   if (path == standard_output) return ImageFormat::png;
@@ -30,12 +40,16 @@ std::vector<std::byte> encode_image(const ImageFile& file, ImageFormat format, c
 }
 
 void write_image(const std::filesystem::path& path, const ImageFile& file, const Quantization& quantization) {
-  const ImageFormat format = format_of(path);
-  if (format == ImageFormat::none) {
-    throw FileError(EX_CANTCREAT,
-                    fmt::format("cannot write `{}`: a picture's name must end in .png or .exr", path.string()));
+  write_file_atomically(path, encode_image(file, required_format(path), quantization));
+}
+
+void try_to_write_image(const std::filesystem::path& path) {
+  try {
+    if (required_format(path) == ImageFormat::exr) load_exr_module();
+    try_to_write(path);
+  } catch (const FileError& error) {
+    throw FileError(EX_CANTCREAT, error.what());
   }
-  write_file_atomically(path, encode_image(file, format, quantization));
 }
 
 ImageFile read_image(const std::filesystem::path& path) {

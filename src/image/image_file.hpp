@@ -32,6 +32,10 @@ std::vector<std::byte> encode_image(const ImageFile& file, ImageFormat format, c
 // Writes a picture in the format of its name. Throws FileError, 73 or 74.
 void write_image(const std::filesystem::path& path, const ImageFile& file, const Quantization& quantization = {});
 
+// Finds out, before the picture is made, what would keep write_image from beginning: its name, its place, the library
+// that it needs. Throws FileError 73.
+void try_to_write_image(const std::filesystem::path& path);
+
 // Reads a PNG or an EXR, distinguished by their first bytes. Throws FileError: 66 when there is no such file, 74 when
 // it cannot be read, 65 when it is not a picture or is damaged.
 ImageFile read_image(const std::filesystem::path& path);

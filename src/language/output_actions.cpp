@@ -1,5 +1,6 @@
 // The commands for pictures, files and timers, and the painted rectangles of the 2-D test commands.
 #include <algorithm>
+#include <filesystem>
 
 #include "language/actions.hpp"
 
@@ -29,7 +30,16 @@ void image_size(Reading& reading, const Call& call) {
   scene.settings.height = call.whole(1);
 }
 
-void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.name(0))); }
+void write(Reading& reading, const Call& call) {
+  const std::string name(call.name(0));
+  const std::string normal = std::filesystem::path(name).lexically_normal().string();
+  const auto [first, is_new] = reading.written.try_emplace(normal, call.place());
+  if (!is_new) {
+    return reading.error(call.place_of_argument(0), "{} is written at {}:{} already, and this picture would replace it",
+                         in_quotes(name), reading.diagnostics.file_of(first->second), first->second.line);
+  }
+  take_picture(reading, call, name);
+}
 
 void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
 

@@ -166,14 +166,22 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   const auto load_file = options.edited ? load_copy_from_disk : load_from_disk;
   const bool is_pipe = path == standard_input;
   ContentHasher hasher;
+  std::vector<ReadContent> contents;
   const auto load = [&, is_first = true](const std::filesystem::path& file) mutable {
     LoadedFile loaded =
         std::exchange(is_first, false) && is_pipe ? load_standard_input(Limits().bytes) : load_file(file);
-    if (options.hash) hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
+    if (options.hash) {
+      const auto bytes = std::as_bytes(std::span(loaded.bytes.view()));
+      hasher.add(bytes);
+      ContentHasher of_file;
+      of_file.add(bytes);
+      contents.push_back({file.string(), of_file.value(), loaded.problem});
+    }
     return loaded;
   };
   SceneFile result = read_scene_with(is_pipe ? "<stdin>" : path, std::nullopt, options, load);
   if (options.hash) result.hash = hasher.value();
+  result.contents = std::move(contents);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +65,8 @@ struct Reading {
   std::size_t reads = 0;
   std::uint64_t commands = 0;
   std::uint64_t bytes = 0;
+
+  std::map<std::string, SourcePlace> written;  // where each file was named by `write`, by its path in normal form
 
   bool varies = false;                        // an expression was read
   bool stray_vertex = false;                  // a `vertex` outside a polygon was reported; the next ones are not

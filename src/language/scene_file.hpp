@@ -31,14 +31,22 @@ struct ResetTimer {};
 struct PrintTimer {};
 using Action = std::variant<Picture, ResetTimer, PrintTimer>;
 
+// What one reading of a file found.
+struct ReadContent {
+  std::string file;  // by a path that the user can open
+  ContentHash hash;
+  std::string problem;  // why it could not be read; empty if it was
+};
+
 struct SceneFile {
   std::vector<Action> actions;          // empty if there is any error
   std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
   ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless requested
   // All files that were opened or should have been, each once, by paths that the user can open.
   std::vector<std::string> files;
-  bool varies = false;  // some number is an {expression}: other moments may give other pictures
-  bool found = true;    // false: the scene file itself could not be opened
+  std::vector<ReadContent> contents;  // of each reading of a file, in their order; empty unless the hash was requested
+  bool varies = false;                // some number is an {expression}: other moments may give other pictures
+  bool found = true;                  // false: the scene file itself could not be opened
 };
 
 // The time, for numbers written as {expression}: the number of the frame, and t, which runs from 0 to 1 over the frames

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "base/archive.hpp"
 
@@ -27,6 +28,14 @@ void add_channels(ImageFile& file, const LayerRow& row, const ZeroedVector<float
     for (std::size_t i = 0; i < channel.values.size(); i++) channel.values[i] = values[channels * i + c];
     file.layers.push_back(std::move(channel));
   }
+}
+
+// The picture of the colours of a crop.
+Image finished(const PixelRect& crop, ZeroedVector<float> colors, const Development& development) {
+  Image image{crop.width(), crop.height(), std::move(colors)};
+  for (const PaintedRect& rect : development.rects) paint(image, crop, development.full_height, rect);
+  expose(image, exposure_factor(development.exposure_halves));
+  return image;
 }
 
 constexpr std::int64_t farthest_pixel = 1 << 30;
@@ -76,11 +85,7 @@ void expose(Image& image, double exposure) {
 }
 
 Image develop_color(const Film& film, const Development& development) {
-  const PixelRect& crop = film.crop();
-  Image image{crop.width(), crop.height(), film.color()};
-  for (const PaintedRect& rect : development.rects) paint(image, crop, development.full_height, rect);
-  expose(image, exposure_factor(development.exposure_halves));
-  return image;
+  return finished(film.crop(), film.color(), development);
 }
 
 ImageFile develop(Film film, const Development& development) {
@@ -91,10 +96,9 @@ ImageFile develop(Film film, const Development& development) {
   file.metadata = development.metadata;
   for (const LayerRow& row : layer_table) {
     if (row.layer == Layer::color || !film.layers().has(row.layer)) continue;
-    add_channels(file, row, film.layer(row.layer));
-    film.forget(row.layer);
+    add_channels(file, row, film.take(row.layer));
   }
-  file.image = develop_color(film, development);
+  file.image = finished(film.crop(), film.take(Layer::color), development);
   return file;
 }
 

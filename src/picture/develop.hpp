@@ -28,7 +28,7 @@ struct Development {
 std::string to_bytes(const Development& development);
 Development development_from(const std::string& bytes);
 
-// Frees the film's memory layer by layer, as the picture replaces it.
+// Frees the film's memory as the picture replaces it: the two together never take more than the film.
 ImageFile develop(Film film, const Development& development);
 
 // Only the colours.

@@ -30,11 +30,14 @@ std::vector<std::byte> encode_checkpoint(const PictureKey& key, const Spent& spe
   ArchiveWriter block;
   serialize_head(block, key, spent);
   file.add(block.bytes());
+  bool first = true;
   for (int tile = 0; tile < render.grid().count(); tile++) {
     if (!render.has_begun(tile)) continue;
     block.clear();
     block(tile);
     render.write(block, tile);
+    if (first) file.expect(static_cast<std::size_t>(render.grid().count()), block.bytes().size());
+    first = false;
     file.add(block.bytes());
   }
   return file.finish();
@@ -95,12 +98,14 @@ LastCheckpoint read_last_checkpoint(const std::filesystem::path& path) {
   }
 }
 
-bool may_be_checkpoint(const std::filesystem::path& path) {
+bool looks_like_checkpoint(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::array<char, 64> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
   const auto bytes = std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount()));
-  return bytes.empty() || is_sealed(bytes, FileKind::checkpoint);
+  return is_sealed(bytes, FileKind::checkpoint);
 }
 
 }  // namespace penumbra

@@ -51,7 +51,7 @@ struct LastCheckpoint {
 // Throws FileError 65 if none is intact.
 LastCheckpoint read_last_checkpoint(const std::filesystem::path& path);
 
-// Whether the file begins as a checkpoint does, or is empty.
-bool may_be_checkpoint(const std::filesystem::path& path);
+// Whether there is such a regular file and it begins as a checkpoint does.
+bool looks_like_checkpoint(const std::filesystem::path& path);
 
 }  // namespace penumbra

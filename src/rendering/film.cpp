@@ -90,65 +90,81 @@ std::size_t Film::bytes_per_pixel(const Layers& layers) {
 }
 
 ZeroedVector<float> Film::layer(Layer layer) const {
+  ZeroedVector<float> values(row_of(layer).channels.size() * pixel_samples_.size());
+  put_values(layer, 0, pixel_samples_.size(), values);
+  return values;
+}
+
+ZeroedVector<float> Film::take(Layer layer) {
+  // So many numbers of 4 bytes and more fill whole huge pages.
+  constexpr std::size_t pixels_at_once = ZeroedPages<float>::large_page / sizeof(float);
+  const std::size_t pixels = pixel_samples_.size();
+  const auto sums_of_pixel = static_cast<std::size_t>(row_of(layer).sums());
+  ZeroedVector<double>& sums = sums_[index_of(layer)];
+  ZeroedVector<float> values(row_of(layer).channels.size() * pixels);
+  for (std::size_t first = 0; first < pixels; first += pixels_at_once) {
+    const std::size_t end = std::min(first + pixels_at_once, pixels);
+    put_values(layer, first, end, values);
+    give_back(sums, sums_of_pixel * first, sums_of_pixel * end);
+  }
+  ZeroedVector<double>().swap(sums);  // assigning an empty list would keep the memory
+  return values;
+}
+
+void Film::put_values(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const {
   switch (row_of(layer).value) {
     case LayerValue::mean:
-      return means(layer);
+      return put_means(layer, first, end, values);
     case LayerValue::mean_of_hits:
-      return means_of_hits(layer);
+      return put_means_of_hits(layer, first, end, values);
     case LayerValue::variance_of_mean:
-      return variances();
+      return put_variances(first, end, values);
     case LayerValue::sample_count:
       break;
   }
-  return {pixel_samples_.begin(), pixel_samples_.end()};
+  for (std::size_t pixel = first; pixel < end; pixel++) values[pixel] = static_cast<float>(pixel_samples_[pixel]);
 }
 
-ZeroedVector<float> Film::means(Layer layer) const {
+void Film::put_means(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const {
   const ZeroedVector<double>& sums = sums_of(layer);
-  ZeroedVector<float> result(sums.size());
-  const auto [fewest, most] = std::minmax_element(pixel_samples_.begin(), pixel_samples_.end());
+  const std::size_t channels = row_of(layer).channels.size();
+  const auto counts = std::span(pixel_samples_).subspan(first, end - first);
+  const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
   if (*fewest == *most) {  // several times faster
     const double samples = std::max(*fewest, 1u);
-    for (std::size_t i = 0; i < sums.size(); i++) result[i] = static_cast<float>(sums[i] / samples);
-    return result;
+    for (std::size_t i = channels * first; i < channels * end; i++) values[i] = static_cast<float>(sums[i] / samples);
+    return;
   }
-  const std::size_t channels = row_of(layer).channels.size();
-  for (std::size_t i = 0; i < sums.size(); i++) {
-    result[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / channels], 1u));
+  for (std::size_t i = channels * first; i < channels * end; i++) {
+    values[i] = static_cast<float>(sums[i] / std::max(pixel_samples_[i / channels], 1u));
   }
-  return result;
 }
 
-ZeroedVector<float> Film::means_of_hits(Layer layer) const {
+void Film::put_means_of_hits(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const {
   const ZeroedVector<double>& sums = sums_of(layer);
   const std::size_t channels = row_of(layer).channels.size();
-  ZeroedVector<float> result(pixel_samples_.size() * channels);
-  for (std::size_t pixel = 0; pixel < pixel_samples_.size(); pixel++) {
+  for (std::size_t pixel = first; pixel < end; pixel++) {
     const double* const of_pixel = &sums[pixel * (channels + 1)];
     const double hits = of_pixel[channels];
     for (std::size_t c = 0; c < channels; c++) {
-      result[pixel * channels + c] =
+      values[pixel * channels + c] =
           hits > 0 ? static_cast<float>(of_pixel[c] / hits) : std::numeric_limits<float>::infinity();
     }
   }
-  return result;
 }
 
-ZeroedVector<float> Film::variances() const {
+void Film::put_variances(std::size_t first, std::size_t end, ZeroedVector<float>& values) const {
   const ZeroedVector<double>&colors = sums_of(Layer::color), &squares = sums_of(Layer::variance);
-  if (counts_ == SampleCounts::per_pixel) return {squares.begin(), squares.end()};
-  ZeroedVector<float> result(squares.size());
-  for (std::size_t i = 0; i < result.size(); i++) {
+  for (std::size_t i = 3 * first; i < 3 * end; i++) {
+    if (counts_ == SampleCounts::per_pixel) {
+      values[i] = static_cast<float>(squares[i]);
+      continue;
+    }
     const double n = pixel_samples_[i / 3];
     if (n < 2) continue;
     const double of_samples = std::max(squares[i] - colors[i] * colors[i] / n, 0.0) / (n - 1);
-    result[i] = static_cast<float>(of_samples / n);
+    values[i] = static_cast<float>(of_samples / n);
   }
-  return result;
-}
-
-void Film::forget(Layer layer) {
-  ZeroedVector<double>().swap(sums_[index_of(layer)]);  // assigning an empty list would keep the memory
 }
 
 }  // namespace penumbra

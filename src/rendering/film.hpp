@@ -51,14 +51,18 @@ class Film {
   ZeroedVector<float> layer(Layer layer) const;
   ZeroedVector<float> color() const { return layer(Layer::color); }
 
-  // Frees the sums of a layer, which is gone after that. Colours must go last: the variance needs them, too.
-  void forget(Layer layer);
+  // The same values, for which the layer is given up: the memory of its sums is freed while they are read, so that both
+  // together never take more than the sums alone. Colours must go last: the variance needs them, too.
+  ZeroedVector<float> take(Layer layer);
 
  private:
   const ZeroedVector<double>& sums_of(Layer layer) const { return sums_[index_of(layer)]; }
-  ZeroedVector<float> means(Layer layer) const;
-  ZeroedVector<float> means_of_hits(Layer layer) const;
-  ZeroedVector<float> variances() const;
+  // Part of the values of a layer: those of the pixels from `first` to before `end`, to the places of these in
+  // `values`.
+  void put_values(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const;
+  void put_means(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const;
+  void put_means_of_hits(Layer layer, std::size_t first, std::size_t end, ZeroedVector<float>& values) const;
+  void put_variances(std::size_t first, std::size_t end, ZeroedVector<float>& values) const;
   // Calls `visit(values)` for each row of the pixels of `part` in each plane of numbers.
   template <class Self, class Visit>
   static void for_rows(Self& self, const PixelRect& part, const Visit& visit);

@@ -4,6 +4,7 @@
 #include <sysexits.h>
 
 #include <cstring>
+#include <utility>
 
 #include "base/content_hash.hpp"
 
@@ -25,10 +26,15 @@ constexpr bool checks_checksums = true;
 
 const char* name_of(FileKind kind) { return kind == FileKind::checkpoint ? "checkpoint" : "part of a picture"; }
 
-SealedWriter::SealedWriter(FileKind kind) {
+SealedWriter::SealedWriter(FileKind kind, std::vector<std::byte> before) : out_(std::move(before)) {
   out_.numbers(std::span(magic));
   out_(static_cast<std::uint32_t>(kind));
   out_(format);
+}
+
+void SealedWriter::expect(std::size_t blocks, std::size_t bytes_each) {
+  constexpr std::size_t for_larger_ones = std::size_t{1} << 20;
+  out_.expect((blocks + 1) * (bytes_each + block_head_size) + for_larger_ones);
 }
 
 void SealedWriter::add(std::span<const std::byte> block) {

@@ -28,8 +28,11 @@ bool is_sealed(std::span<const std::byte> bytes, FileKind kind);
 
 class SealedWriter {
  public:
-  explicit SealedWriter(FileKind kind);
+  // Writes after the bytes of `before`.
+  explicit SealedWriter(FileKind kind, std::vector<std::byte> before = {});
 
+  // Declares that so many blocks will follow, most of them of at most so many bytes.
+  void expect(std::size_t blocks, std::size_t bytes_each);
   void add(std::span<const std::byte> block);  // ignored if empty
   std::vector<std::byte> finish();
 

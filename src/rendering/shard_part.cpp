@@ -87,12 +87,19 @@ const PartHeader& most_common(const std::vector<Part>& parts) {
 
 }  // namespace
 
-std::vector<std::byte> encode_part(const PartHeader& header, const Film& film) {
-  SealedWriter file(FileKind::part);
+std::vector<std::byte> encode_part(const PartHeader& header, const Film& film, std::vector<std::byte> before) {
+  SealedWriter file(FileKind::part, std::move(before));
   ArchiveWriter block;
   serialize(block, header);
   file.add(block.bytes());
   const TileGrid grid = header.tiles();
+  std::size_t tiles = 0, largest_tile = 0;
+  for (int tile = 0; tile < grid.count(); tile++) {
+    if (!grid.has(header.shard, tile)) continue;
+    tiles++;
+    largest_tile = std::max(largest_tile, grid.tile(tile).pixel_count());
+  }
+  file.expect(tiles, sizeof(int) + largest_tile * Film::bytes_per_pixel(film.layers()));
   for (int tile = 0; tile < grid.count(); tile++) {
     if (!grid.has(header.shard, tile)) continue;
     block.clear();

@@ -24,8 +24,8 @@ struct PartHeader {
   TileGrid tiles() const { return tiles_of(crop, counts); }
 };
 
-// The film must have at least the shard's tiles.
-std::vector<std::byte> encode_part(const PartHeader& header, const Film& film);
+// The bytes of the part after those of `before`. The film must have at least the shard's tiles.
+std::vector<std::byte> encode_part(const PartHeader& header, const Film& film, std::vector<std::byte> before = {});
 
 // A part that was read and is intact.
 class Part {

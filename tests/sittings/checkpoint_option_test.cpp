@@ -157,9 +157,10 @@ TEST_F(CheckpointOption, WithNothingToResumeItBeginsAtTheBeginning) {
 
 // A file that the user names by mistake is left alone.
 TEST_F(CheckpointOption, ReplacesNothingButCheckpoints) {
-  EXPECT_EQ(render({"-o", picture_, "--checkpoint", scene_}), 73);
-  EXPECT_NE(said().find("a file of another kind has that name"), std::string::npos) << said();
+  EXPECT_EQ(render({"-o", picture_, "--checkpoint", scene_}), 64);
   EXPECT_EQ(content_of(scene_), scene_text(16));
+  EXPECT_EQ(render({"-o", picture_, "--checkpoint", log_}), 73);
+  EXPECT_NE(said().find("a file of another kind"), std::string::npos) << said();
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", folder_.path().string()}), 73);
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", "/dev/null"}), 73);
   EXPECT_EQ(render({"-o", picture_, "--checkpoint", path("none/checkpoint")}), 73);

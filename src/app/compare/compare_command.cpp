@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/files/path_table.hpp"
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
 #include "image/image_file.hpp"
@@ -99,6 +100,15 @@ void write_heatmap(const std::string& path, const Comparison& comparison) {
                                           largest_finite(comparison.pixel_differences))));
 }
 
+// Throws FileError: 64 if the heat map is one of the pictures, 73 if it cannot be written.
+void require_own_file(const CompareOptions& options) {
+  PathTable table;
+  table.reads(options.a, "A");
+  table.reads(options.b, "B");
+  table.writes(options.heatmap, "--heatmap");
+  try_to_write_image(options.heatmap);
+}
+
 // Infinity is a threshold that nothing exceeds.
 std::string take_threshold(std::string_view text, double& threshold) {
   double value = 0;
@@ -136,7 +146,8 @@ Subcommand compare_subcommand(CompareOptions& options) {
   return compare;
 }
 
-int compare_command(const CompareOptions& options) {
+int compare_command(const CompareOptions& options) try {
+  if (!options.heatmap.empty()) require_own_file(options);
   ImageFile a, b;
   try {
     a = read_image(options.a);
@@ -150,18 +161,16 @@ int compare_command(const CompareOptions& options) {
                                     options.b, describe(b)));
   }
   const Comparison comparison = compare(a, b, options.thresholds);
-  try {
-    if (!options.heatmap.empty()) write_heatmap(options.heatmap, comparison);
-  } catch (const FileError& error) {
-    fmt::print(stderr, "penumbra compare: {}\n", error.what());
-    return error.exit_code;
-  }
+  if (!options.heatmap.empty()) write_heatmap(options.heatmap, comparison);
   if (options.json) {
     fmt::print("{}\n", to_text(json_for(options, comparison)));
   } else {
     print_table(options, comparison);
   }
   return static_cast<int>(comparison.verdict);
+} catch (const FileError& error) {
+  fmt::print(stderr, "penumbra compare: {}\n", error.what());
+  return error.exit_code;
 }
 
 }  // namespace penumbra

@@ -8,6 +8,7 @@
 
 #include "app/farm/farm_command.hpp"
 #include "app/render/outputs.hpp"
+#include "app/render/render_paths.hpp"
 #include "app/render/scene_frames.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
@@ -81,11 +82,12 @@ struct Frames {
   SceneFile first;
 };
 
-// Reports errors of the scene; `exit_code` is then not 0.
-Frames read_frames(const RenderOptions& options, int& exit_code) {
+// Notes all files in `paths`, and reports errors of the scene; `exit_code` is then not 0.
+Frames read_frames(const RenderOptions& options, RenderPaths& paths, int& exit_code) {
   Frames result;
   SceneFrames scenes(options, true);
   exit_code = scenes.check([&] {
+    paths.add(scenes);
     result.outputs.push_back(scenes.outputs());
     if (result.outputs.size() == 1) result.first = scenes.file();
   });
@@ -134,10 +136,13 @@ Job job_for(const FarmSubmitOptions& options, const Frames& frames, const JobFol
 
 int farm_submit(const FarmSubmitOptions& options) {
   int exit_code = 0;
-  const Frames frames = read_frames(options.render, exit_code);
-  if (exit_code != 0) return exit_code;
-
   const std::string place = options.folder.empty() ? options.render.outputs.front() + ".farm" : options.folder;
+  RenderPaths paths(options.render);
+  paths.makes(place, "--folder");
+  const Frames frames = read_frames(options.render, paths, exit_code);
+  if (exit_code != 0) return exit_code;
+  paths.try_to_write();
+
   const JobFolder folder(fs::absolute(place).lexically_normal());
   require_free(folder);
   const Job job = job_for(options, frames, folder);

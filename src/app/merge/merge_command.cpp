@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "app/files/path_table.hpp"
 #include "app/merge/part_file.hpp"
 #include "app/render/outputs.hpp"
 #include "image/image_file.hpp"
@@ -23,10 +24,22 @@ std::vector<std::string> outputs_of(const MergeOptions& options, const Part& par
   return outputs;
 }
 
+// Throws FileError 64 if an output is a part or another output.
+void require_own_files(const std::vector<std::string>& parts, const std::vector<std::string>& outputs) {
+  PathTable table;
+  for (const std::string& part : parts) table.reads(part, "a part");
+  for (const std::string& output : outputs) table.writes(output, "-o");
+}
+
 // Returns the exit code: 0, or 65 or 66 if a part is missing, damaged, duplicated or of another picture. Nothing is
 // written unless it is 0. Throws FileError.
 int merge_parts(const MergeOptions& options) {
   const PartFiles files = read_parts(options.parts);
+  std::vector<std::string> outputs;
+  if (!files.parts.empty()) {
+    outputs = outputs_of(options, files.parts.front());
+    require_own_files(options.parts, outputs);
+  }
   int exit_code = 0;
   for (const PartFiles::Failure& failure : files.failures) {
     complain(failure.error.what());
@@ -38,7 +51,7 @@ int merge_parts(const MergeOptions& options) {
       exit_code = exit_code == 0 ? EX_DATAERR : exit_code;
     }
   }
-  if (exit_code == 0) write_merged(files.parts, outputs_of(options, files.parts.front()), options.quiet);
+  if (exit_code == 0) write_merged(files.parts, outputs, options.quiet);
   return exit_code;
 }
 

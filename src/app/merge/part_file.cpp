@@ -48,13 +48,10 @@ bool ends_as_part(std::span<const std::byte> bytes) {
 std::vector<std::byte> encode_part_file(const PartHeader& header, const Film& film) {
   std::vector<std::byte> file = encode_exr(preview(header, film));
   const std::uint64_t start = file.size();
-  const std::vector<std::byte> part = encode_part(header, film);
-  ArchiveWriter trailer;
-  trailer(start);
-  trailer.numbers(std::span(ending));
-  file.insert(file.end(), part.begin(), part.end());
-  file.insert(file.end(), trailer.bytes().begin(), trailer.bytes().end());
-  return file;
+  ArchiveWriter whole(encode_part(header, film, std::move(file)));
+  whole(start);
+  whole.numbers(std::span(ending));
+  return whole.take();
 }
 
 std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const std::string& name) {
@@ -92,6 +89,7 @@ PartFiles read_parts(const std::vector<std::string>& names) {
 }
 
 void write_merged(const std::vector<Part>& parts, const std::vector<std::string>& outputs, bool quiet) {
+  for (const std::string& output : outputs) try_to_write_image(output);
   const PartHeader& header = parts.front().header();
   Development development;
   try {

@@ -48,6 +48,13 @@ TakeText into_seconds(std::optional<double>& seconds) {
   };
 }
 
+TakeText into_bytes(std::optional<std::uint64_t>& bytes) {
+  return [&bytes](std::string_view text) {
+    bytes = bytes_from(text);
+    return bytes ? std::string() : expected(text, "a size such as 500M, 4G or 1.5T");
+  };
+}
+
 std::string take_shard(std::optional<Shard>& result, std::string_view text) {
   const std::vector<int> n = whole_numbers(text, '/');
   if (n.size() != 2 || n[0] < 0 || n[0] >= n[1] || n[1] > most_shards) {
@@ -160,7 +167,10 @@ Subcommand render_subcommand(RenderOptions& options) {
         "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",
         [&options](std::string_view text) { return take_debug_pixel(options, text); }}});
   add(machine_options(options.machine));
-  add({{"--progress", "STYLE", "How to show progress: auto, bar, plain, json, none [auto]",
+  add({{"--memory-limit", "SIZE",
+        "Refuse a picture that would take more memory in all than this: 500M, 4G [what is available]",
+        into_bytes(options.memory_limit)},
+       {"--progress", "STYLE", "How to show progress: auto, bar, plain, json, none [auto]",
         [&options](std::string_view text) { return take_progress(options, text); }}});
   add(session_options(options.session));
   add({{"--video", "FILE.mp4", "Also write all frames as a video, .mp4, with ffmpeg [none]", into(options.video)},

@@ -1,6 +1,7 @@
 // The command-line options of `penumbra render`.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,9 +44,10 @@ struct RenderOptions : PictureOptions {
   std::optional<DebugPixel> debug_pixel;  // print its rays instead of rendering
   MachineOptions machine;
   RenderSessionOptions session;
-  std::string video;                        // the file for a video of all frames; empty: none
-  std::optional<double> frames_per_second;  // of the video; none: 24
-  std::string stats;                        // a JSON file; empty: none
+  std::string video;                          // the file for a video of all frames; empty: none
+  std::optional<double> frames_per_second;    // of the video; none: 24
+  std::string stats;                          // a JSON file; empty: none
+  std::optional<std::uint64_t> memory_limit;  // bytes; none: what is available
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
 };

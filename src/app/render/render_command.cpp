@@ -9,10 +9,13 @@
 #include <cstdio>
 #include <ctime>
 
+#include "app/files/rescue.hpp"
+#include "app/render/memory_need.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/picture_files.hpp"
 #include "app/render/picture_job.hpp"
 #include "app/render/progress.hpp"
+#include "app/render/render_paths.hpp"
 #include "app/render/scene_frames.hpp"
 #include "app/render/stats.hpp"
 #include "app/render/video.hpp"
@@ -56,33 +59,48 @@ class RenderRun {
         scenes_(options, needs_hash(options)) {}
 
   int run() {
+    RenderPaths paths(asked_);
     const std::filesystem::path ffmpeg = asked_.video.empty() ? std::filesystem::path() : find_ffmpeg();
-    if (const int code = scenes_.check()) return code;
+    if (const int code = check_everything(paths)) return code;
     bool finished = true;
-    bool first = true;
     for (const std::optional<int>& frame : scenes_.frames()) {
-      if (!finished) break;
       scenes_.go_to(frame);
-      if (first) session_.require_scene(version, scenes_.file().hash, frames_in_words(scenes_.options()));
-      first = false;
       finished = render_file();
+      if (!finished || failure_ != 0) break;
+      scenes_.current_is_done();
     }
+    if (failure_ == 0) failure_ = session_.failure();
+    const bool all_is_done = finished && failure_ == 0;
     stats_.parse_seconds = scenes_.seconds();
-    if (!asked_.stats.empty()) write_output(asked_.stats, bytes_of(to_json(stats_)));
-    if (!finished) {
-      fmt::print(stderr, "penumbra: {}\n", session_.why());
-      return EX_TEMPFAIL;
-    }
-    session_.finish();
-    if (!asked_.video.empty()) {
+    if (!asked_.stats.empty()) write_or_rescue(asked_.stats, bytes_of(to_json(stats_)));
+    if (!finished) fmt::print(stderr, "penumbra: {}\n", session_.why());
+    if (all_is_done) session_.finish();
+    if (all_is_done && !asked_.video.empty()) {
       write_video(asked_.video, first_files_, asked_.frames_per_second.value_or(usual_frames_per_second), ffmpeg);
       if (!asked_.quiet) fmt::print(stderr, "{}: {} frames\n", asked_.video, first_files_.size());
     }
-    return EX_OK;
+    return failure_ != 0 ? failure_ : finished ? EX_OK : EX_TEMPFAIL;
   }
 
  private:
-  // Carries out the actions of the scene in their order. Returns false if interrupted.
+  // Everything that can be known before the first ray. Returns the exit code, 0 if nothing is wrong. Throws FileError.
+  int check_everything(RenderPaths& paths) {
+    MemoryNeed need;
+    const auto visit = [&] {
+      paths.add(scenes_);
+      const MemoryNeed of_frame = memory_need(scenes_.options(), scenes_.file());
+      if (of_frame.bytes > need.bytes) need = of_frame;
+    };
+    if (const int code = scenes_.check(visit)) return code;
+    if (!asked_.debug_pixel) require_memory(need, asked_.memory_limit);
+    paths.try_to_write();
+    session_.open_checkpoint();
+    session_.require_scene(version, scenes_.file().hash, frames_in_words(scenes_.options()));
+    return EX_OK;
+  }
+
+  // Carries out the actions of the scene in their order, up to a file that cannot be written. Returns false if
+  // interrupted.
   bool render_file() {
     int number = 0;
     Clock::time_point timer = start_;
@@ -101,6 +119,7 @@ class RenderRun {
         if (is_finished(job, files)) continue;
         if (asked_.frames && session_.is_over()) return false;
         if (!render_picture(job, files)) return false;
+        if (failure_ != 0) break;
       }
     }
     return true;
@@ -137,7 +156,7 @@ class RenderRun {
       return true;
     }
 
-    const std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
+    std::unique_ptr<ResumableRender> render = render_of(job, scenes_.options(), frame, kernel_);
     const std::uint64_t pixels = pixel_count(tiles_of(job.plan.crop, asked_.sample_counts()), job.plan.shard);
     if (asked_.noise && !asked_.quiet) warn_of_small_objects(job, frame);
     RenderState state;
@@ -165,7 +184,9 @@ class RenderRun {
     }
 
     start = Clock::now();
-    write(job, render->take_film(), finished, files, static_cast<double>(pixels));
+    Film film = render->take_film();
+    render.reset();
+    write(job, std::move(film), finished, files, static_cast<double>(pixels));
     stats_.write_seconds += seconds_since(start);
     return finished;
   }
@@ -180,19 +201,28 @@ class RenderRun {
                first, small.count, small.count == 1 ? "" : "s", small.rays, small.count == 1 ? "it" : "them");
   }
 
-  void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) const {
+  void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) {
     const double rays_per_pixel = static_cast<double>(film.total_samples()) / pixels;
     encode_files(job, std::move(film), finished, asked_.session.shard.has_value(), files,
                  [&](const std::filesystem::path& path, std::span<const std::byte> bytes) {
-                   write_output(path, bytes);
+                   if (!write_or_rescue(path, bytes)) return;
                    if (!asked_.quiet) print_written(path, job.plan, rays_per_pixel);
                  });
   }
 
-  void write_output(const std::filesystem::path& path, std::span<const std::byte> bytes) const {
-    write_file_atomically(path, bytes);
+  // Returns whether the file could be written in its own place. If not, says where else it is.
+  bool write_or_rescue(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    try {
+      write_file_atomically(path, bytes);
+    } catch (const FileError& error) {
+      const std::optional<std::filesystem::path> other = rescue(path, bytes);
+      complain(other ? fmt::format("{}; it is in `{}` instead", error.what(), other->string()) : error.what());
+      failure_ = error.exit_code;
+      return false;
+    }
     // The checkpoint is removed next: a power cut must not lose the file but keep the removal.
     if (!asked_.session.checkpoint.empty()) force_folder_of(path);
+    return true;
   }
 
   void print_written(const std::filesystem::path& path, const Plan& plan, double rays_per_pixel) const {
@@ -234,6 +264,7 @@ class RenderRun {
   SceneFrames scenes_;
   Files first_files_;  // of each frame, for the video
   RenderStats stats_;
+  int failure_ = 0;  // the exit code of a file that could not be written
 };
 
 }  // namespace

@@ -43,8 +43,25 @@ void SceneFrames::go_to(std::optional<int> frame) {
   const auto start = std::chrono::steady_clock::now();
   file_ = read_and_examine(options_.scene, read_options);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  require_first_content();
   is_read_ = true;
   read_frame_ = frame;
+}
+
+void SceneFrames::require_first_content() {
+  for (const ReadContent& now : file_.contents) {
+    const auto [first, is_new] = first_content_.try_emplace(now.file, now.hash);
+    if (is_new || (now.problem.empty() && now.hash == first->second)) continue;
+    const std::string what = now.problem.empty() ? fmt::format("`{}` has changed since this command began", now.file)
+                                                 : fmt::format("`{}` can no longer be read: {}", now.file, now.problem);
+    throw FileError(EX_DATAERR, what + frames_done());
+  }
+}
+
+std::string SceneFrames::frames_done() const {
+  if (!options_.frames) return {};
+  if (done_ == 0) return "; no frame is done";
+  return fmt::format("; {} of {} frames are done, the last one is {}", done_, frames_.size(), *frames_[done_ - 1]);
 }
 
 int SceneFrames::check(const std::function<void()>& visit) {

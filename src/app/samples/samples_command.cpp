@@ -264,12 +264,13 @@ Subcommand samples_subcommand(SamplesOptions& options) {
   return samples;
 }
 
-int samples_command(const SamplesOptions& options) {
+int samples_command(const SamplesOptions& options) try {
   const Kernel* const kernel = kernel_of({});
   if (!kernel) return EX_SOFTWARE;
   const DimensionPair* const dimensions =
       std::find_if(std::begin(dimension_pairs), std::end(dimension_pairs),
                    [&](const DimensionPair& pair) { return pair.name == options.dimensions; });
+  if (!options.output.empty()) try_to_write_image(options.output);
   PatternPoints source(*kernel, options.sampler, *dimensions);
   const std::vector<PlanePoint> points = realization(source, options, static_cast<std::size_t>(options.n), 0);
   Figures figures = figures_of(points);
@@ -277,20 +278,16 @@ int samples_command(const SamplesOptions& options) {
       [&](std::size_t count, int replicate) { return realization(source, options, count, replicate); }, replicates);
   std::optional<Spectrum> spectrum;
   if (options.json || !options.output.empty()) spectrum = spectrum_of(source, options);
-  if (!options.output.empty()) {
-    try {
-      write_plot(options, points, figures, *spectrum);
-    } catch (const FileError& error) {
-      fmt::print(stderr, "penumbra samples: {}\n", error.what());
-      return error.exit_code;
-    }
-  }
+  if (!options.output.empty()) write_plot(options, points, figures, *spectrum);
   if (options.json) {
     fmt::print("{}\n", to_text(json_for(options, figures, *spectrum)));
   } else {
     print_table(options, figures);
   }
   return 0;
+} catch (const FileError& error) {
+  fmt::print(stderr, "penumbra samples: {}\n", error.what());
+  return error.exit_code;
 }
 
 }  // namespace penumbra

@@ -55,33 +55,22 @@ RenderSession::RenderSession(const RenderSessionOptions& options, Clock::time_po
     : options_(options), quiet_(quiet) {
   if (options.time_limit) end_ = start + to_duration(*options.time_limit);
   if (options.can_be_interrupted()) interruption_.emplace();
-  if (!options.checkpoint.empty()) open_checkpoint();
 }
 
 void RenderSession::open_checkpoint() {
-  const std::filesystem::path path = options_.checkpoint;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const auto refuse = [&](const std::string& why) {
-    throw FileError(EX_CANTCREAT, fmt::format("cannot write the checkpoint `{}`: {}", path.string(), why));
-  };
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) refuse(fmt::format("there is no folder `{}`", folder.string()));
-  const bool exists = std::filesystem::exists(path, error);
-  if (exists && !std::filesystem::is_regular_file(path, error)) refuse("it is not a regular file");
+  const std::string& path = options_.checkpoint;
+  if (path.empty()) return;
+  file_.emplace(path, options_.resume);
   if (options_.resume) {
-    LastCheckpoint last = read_last_checkpoint(path);
+    LastCheckpoint last = file_->read();
     if (!last.warning.empty() && !quiet_) fmt::print(stderr, "penumbra: warning: {}\n", last.warning);
-    keeps_previous_ = last.warning.empty();
     checkpoint_ = std::move(last.checkpoint);
     if (!checkpoint_ && !quiet_) {
-      fmt::print(stderr, "penumbra: there is no checkpoint `{}` yet: rendering from the beginning\n", path.string());
+      fmt::print(stderr, "penumbra: there is no checkpoint `{}` yet: rendering from the beginning\n", path);
     }
-  } else if (exists) {
-    if (!may_be_checkpoint(path)) refuse("a file of another kind has that name; choose another one");
-    if (!quiet_) {
-      fmt::print(stderr, "penumbra: warning: rendering from the beginning, without --resume: `{}` will be replaced\n",
-                 path.string());
-    }
+  } else if (std::filesystem::exists(path) && !quiet_) {
+    fmt::print(stderr, "penumbra: warning: rendering from the beginning, without --resume: `{}` will be replaced\n",
+               path);
   }
 }
 
@@ -136,17 +125,18 @@ bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& st
     spent_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     return true;
   }
-  const bool saves = !options_.checkpoint.empty();
-  std::future<void> saving;
+  std::future<void> saving;  // while rendering continues
   std::vector<std::byte> to_save;
   for (;;) {
     const Clock::time_point start = Clock::now();
     state.stop = false;
     interruption_->stop_through(&state.stop);
-    if (!to_save.empty()) saving = begin_save(std::exchange(to_save, {}), state.stop);
+    if (!to_save.empty()) {
+      saving = std::async(std::launch::async, [this, bytes = std::exchange(to_save, {})] { file_->write(bytes); });
+    }
     {
       Clock::time_point next_stop =
-          start + to_duration(saves ? options_.every.value_or(seconds_between_checkpoints) : longest_duration);
+          start + to_duration(file_ ? options_.every.value_or(seconds_between_checkpoints) : longest_duration);
       if (end_) next_stop = std::min(next_stop, *end_);
       const Alarm alarm(next_stop, state.stop);
       spent_.rays += render.run(state);
@@ -154,17 +144,13 @@ bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& st
     interruption_->stop_through(nullptr);
     spent_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     const bool is_saving = saving.valid() && saving.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    const bool ends = render.is_finished() || is_over();
+    const bool finished = render.is_finished(), ends = finished || is_over();
     if (saving.valid() && (ends || !is_saving)) saving.get();
-    if (render.is_finished()) {
-      if (options_.keep_checkpoint) save(encode_checkpoint(key, spent_, render));
-      return true;
-    }
     if (ends) {
-      if (saves) save(encode_checkpoint(key, spent_, render));
-      return false;
+      if (file_ && (!finished || options_.keep_checkpoint)) failure_ = file_->save(key, spent_, render);
+      return finished;
     }
-    if (saves && !is_saving) to_save = encode_checkpoint(key, spent_, render);
+    if (file_ && !is_saving) to_save = file_->encode(key, spent_, render);
   }
 }
 
@@ -172,37 +158,18 @@ bool RenderSession::is_over() const {
   return (interruption_ && interruption_->signal()) || (end_ && Clock::now() >= *end_);
 }
 
-// Saves while rendering continues; if saving fails, stops the render.
-std::future<void> RenderSession::begin_save(std::vector<std::byte> bytes, std::atomic<bool>& stop) {
-  return std::async(std::launch::async, [this, &stop, bytes = std::move(bytes)] {
-    try {
-      save(bytes);
-    } catch (...) {
-      stop = true;
-      throw;
-    }
-  });
-}
-
-void RenderSession::save(std::span<const std::byte> bytes) {
-  write_file_atomically(options_.checkpoint, bytes, keeps_previous_ ? OldFile::stays_as_previous : OldFile::goes);
-  force_folder_of(options_.checkpoint);
-  keeps_previous_ = true;
-}
-
 std::string RenderSession::why() const {
   const char* const signal = interruption_ ? interruption_->signal() : nullptr;
   const std::string cause = signal ? fmt::format("interrupted by {}", signal) : "the time limit is reached";
-  if (options_.checkpoint.empty() && options_.animation) {
-    return fmt::format("{}: the same command with --resume renders the remaining frames", cause);
+  if (file_ && (failure_ == 0 || looks_like_checkpoint(options_.checkpoint))) {
+    return fmt::format("{}: the same command with --resume continues from `{}`", cause, options_.checkpoint);
   }
-  return options_.checkpoint.empty()
-             ? fmt::format("{}: the picture is not finished", cause)
-             : fmt::format("{}: the same command with --resume continues from `{}`", cause, options_.checkpoint);
+  return options_.animation ? fmt::format("{}: the same command with --resume renders the remaining frames", cause)
+                            : fmt::format("{}: the picture is not finished", cause);
 }
 
 void RenderSession::finish() {
-  if (!options_.checkpoint.empty() && !options_.keep_checkpoint) remove_file_and_previous(options_.checkpoint);
+  if (file_ && !options_.keep_checkpoint) file_->remove();
 }
 
 }  // namespace penumbra

@@ -28,8 +28,8 @@ TEST(Interruption, TheFirstSignalSetsTheFlagTheSecondEnds) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const int end = end_of_child([signal] {
       std::atomic<bool> flag{false};
-      Interruption interruption;
-      interruption.stop_through(&flag);
+      Interruption interruption(std::nullopt);
+      interruption.stop_through(flag);
       if (interruption.signal()) ::_exit(1);
       ::raise(signal);
       if (!flag || !interruption.signal()) ::_exit(2);
@@ -42,7 +42,7 @@ TEST(Interruption, TheFirstSignalSetsTheFlagTheSecondEnds) {
 
 TEST(Interruption, WithNothingToSaveTheFirstEnds) {
   const int end = end_of_child([] {
-    const Interruption interruption;
+    const Interruption interruption(std::nullopt);
     ::close(STDERR_FILENO);
     ::raise(SIGINT);
   });
@@ -52,14 +52,43 @@ TEST(Interruption, WithNothingToSaveTheFirstEnds) {
 TEST(Interruption, IsNotedBetweenPictures) {
   const int end = end_of_child([] {
     std::atomic<bool> flag{false};
-    Interruption interruption;
-    interruption.stop_through(nullptr);
+    Interruption interruption(std::nullopt);
+    interruption.only_note();
     ::raise(SIGINT);
     if (flag) ::_exit(1);
-    interruption.stop_through(&flag);
+    interruption.stop_through(flag);
     ::_exit(flag ? 42 : 2);
   });
   EXPECT_EQ(end, 42);
+}
+
+TEST(Interruption, ThatWasNotedEndsWhatHasNothingToLose) {
+  const int end = end_of_child([] {
+    Interruption interruption(std::nullopt);
+    interruption.only_note();
+    ::raise(SIGINT);
+    interruption.end_at_once();
+  });
+  EXPECT_EQ(end, 75);
+}
+
+TEST(Interruption, ComesWhenTheTimeIsUp) {
+  const int end = end_of_child([] {
+    std::atomic<bool> flag{false};
+    Interruption interruption(std::chrono::steady_clock::now() + std::chrono::milliseconds(50));
+    interruption.stop_through(flag);
+    while (!flag) ::pause();
+    ::_exit(interruption.signal() ? 1 : 42);  // nobody else has asked
+  });
+  EXPECT_EQ(end, 42);
+}
+
+TEST(Interruption, OfTimeThatIsUpAlreadyEndsWhatHasNothingToLose) {
+  const int end = end_of_child([] {
+    const Interruption interruption(std::chrono::steady_clock::now());
+    while (true) ::pause();
+  });
+  EXPECT_EQ(end, 75);
 }
 
 class Interrupted : public SittingTest {

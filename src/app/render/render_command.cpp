@@ -148,6 +148,7 @@ class RenderRun {
 
   // Returns false if interrupted: the files then show the picture as it stands.
   bool render_picture(const PictureJob& job, const Files& files) {
+    session_.prepare();
     Clock::time_point start = Clock::now();
     const Frame frame = make_frame(job.scene, job.plan.threads);
     stats_.build_seconds += seconds_since(start);

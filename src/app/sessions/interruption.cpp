@@ -1,9 +1,11 @@
 // Signal handlers may only use lock-free atomics and async-signal-safe functions.
 #include "app/sessions/interruption.hpp"
 
+#include <sys/time.h>
 #include <sysexits.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <string_view>
@@ -11,36 +13,53 @@
 namespace penumbra {
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGALRM};
 constexpr std::array names{"SIGINT", "SIGTERM", "SIGHUP"};
 
-std::atomic<int> received{0};
-std::atomic<bool> only_noted{false};
-std::atomic<std::atomic<bool>*> stop_flag{nullptr};  // null: there is nothing to save yet
+std::atomic<int> received{0};  // from outside
+std::atomic<bool> time_is_up{false};
+std::atomic<bool> noted{false};
+std::atomic<std::atomic<bool>*> stop_flag{nullptr};  // null: there is nothing to lose
 std::array<struct sigaction, signals.size()> old_actions;
 
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+[[noreturn]] void end() {
+  constexpr std::string_view words = "penumbra: interrupted while the scene was prepared: no picture is lost\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+  ::_exit(EX_TEMPFAIL);
+}
+
 void handle(int number) {
-  if (received.exchange(number) != 0) {
+  if (number == SIGALRM) {
+    time_is_up = true;
+  } else if (received.exchange(number) != 0) {
     std::signal(number, SIG_DFL);
     std::raise(number);  // delivered when the handler returns
     return;
   }
   std::atomic<bool>* const flag = stop_flag.load();
-  if (flag) {
-    flag->store(true);
-    return;
+  if (!flag) end();
+  flag->store(true);
+}
+
+// Delivers SIGALRM after so many seconds, at least one microsecond; 0 disarms.
+void set_alarm(double seconds) {
+  constexpr double longest = 1e9;
+  itimerval timer{};
+  if (seconds != 0) {
+    seconds = std::clamp(seconds, 1e-6, longest);
+    timer.it_value.tv_sec = static_cast<time_t>(seconds);
+    timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - static_cast<double>(timer.it_value.tv_sec)) * 1e6);
   }
-  constexpr std::string_view words = "penumbra: interrupted before there was anything to save\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
-  ::_exit(EX_TEMPFAIL);
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption(std::optional<std::chrono::steady_clock::time_point> end) : is_timed_(end.has_value()) {
   received = 0;
+  time_is_up = false;
   stop_flag = nullptr;
   struct sigaction action {};
   action.sa_handler = handle;
@@ -52,19 +71,31 @@ Interruption::Interruption() {
     const bool is_unwanted = signals[i] == SIGHUP && old_actions[i].sa_handler == SIG_IGN;
     if (!is_unwanted) ::sigaction(signals[i], &action, nullptr);
   }
+  if (end) {
+    const std::chrono::duration<double> left = *end - std::chrono::steady_clock::now();
+    set_alarm(std::max(left.count(), 1e-6));
+  }
 }
 
 Interruption::~Interruption() {
+  if (is_timed_) set_alarm(0);
   for (std::size_t i = 0; i < signals.size(); i++) ::sigaction(signals[i], &old_actions[i], nullptr);
 }
 
-void Interruption::stop_through(std::atomic<bool>* flag) {
-  stop_flag = flag ? flag : &only_noted;
-  if (received != 0) stop_flag.load()->store(true);
+void Interruption::stop_through(std::atomic<bool>& flag) {
+  stop_flag = &flag;
+  if (received != 0 || time_is_up) flag = true;
+}
+
+void Interruption::only_note() { stop_flag = &noted; }
+
+void Interruption::end_at_once() {
+  stop_flag = nullptr;
+  if (received != 0 || time_is_up) end();
 }
 
 const char* Interruption::signal() const {
-  for (std::size_t i = 0; i < signals.size(); i++) {
+  for (std::size_t i = 0; i < names.size(); i++) {
     if (received == signals[i]) return names[i];
   }
   return nullptr;

@@ -1,24 +1,35 @@
-// The signals that ask a render to end: SIGINT (Ctrl-C), SIGTERM (schedulers), SIGHUP (the terminal is gone).
+// What asks a render to end: the signals SIGINT (Ctrl-C), SIGTERM (schedulers) and SIGHUP (the terminal is gone), and the
+// end of its time, which comes as SIGALRM.
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <optional>
 
 namespace penumbra {
 
-// While it lives, the first such signal is recorded, and a second one ends the program at once. Only one may exist.
+// While it lives, the first such signal is recorded, and a second one from outside ends the program at once. Only one
+// may exist.
 class Interruption {
  public:
-  // Until stop_through() is called there is nothing to save: a signal ends the program with exit code 75.
-  Interruption();
+  // Until stop_through() is called there is nothing to lose: a signal ends the program with exit code 75.
+  explicit Interruption(std::optional<std::chrono::steady_clock::time_point> end);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  // From now on a signal sets this flag; with null it is only recorded.
-  void stop_through(std::atomic<bool>* flag);
+  // From now on a signal sets this flag; one that came before sets it now.
+  void stop_through(std::atomic<bool>& flag);
+  // From now on a signal is only recorded.
+  void only_note();
+  // From now on there is nothing to lose again; one that came before ends the program now.
+  void end_at_once();
 
-  // The name of the signal that was received; null if none was.
+  // The name of the signal that was received from outside; null if none was.
   const char* signal() const;
+
+ private:
+  bool is_timed_;
 };
 
 }  // namespace penumbra

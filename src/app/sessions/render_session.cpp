@@ -54,7 +54,7 @@ class Alarm {
 RenderSession::RenderSession(const RenderSessionOptions& options, Clock::time_point start, bool quiet)
     : options_(options), quiet_(quiet) {
   if (options.time_limit) end_ = start + to_duration(*options.time_limit);
-  if (options.can_be_interrupted()) interruption_.emplace();
+  if (options.can_be_interrupted()) interruption_.emplace(end_);
 }
 
 void RenderSession::open_checkpoint() {
@@ -109,6 +109,10 @@ void RenderSession::require_picture(const ResumableRender& render, const Picture
   checkpoint_->require(key);
 }
 
+void RenderSession::prepare() {
+  if (interruption_ && !file_) interruption_->end_at_once();
+}
+
 bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& state) {
   if (const auto& shard = options_.shard)
     key.plan.emplace_back("shard", fmt::format("{}/{}", shard->index, shard->count));
@@ -129,19 +133,19 @@ bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& st
   std::vector<std::byte> to_save;
   for (;;) {
     const Clock::time_point start = Clock::now();
-    state.stop = false;
-    interruption_->stop_through(&state.stop);
+    state.stop = state.give_up = false;
+    interruption_->stop_through(state.give_up);
     if (!to_save.empty()) {
       saving = std::async(std::launch::async, [this, bytes = std::exchange(to_save, {})] { file_->write(bytes); });
     }
     {
-      Clock::time_point next_stop =
-          start + to_duration(file_ ? options_.every.value_or(seconds_between_checkpoints) : longest_duration);
-      if (end_) next_stop = std::min(next_stop, *end_);
-      const Alarm alarm(next_stop, state.stop);
+      std::optional<Alarm> next_checkpoint;
+      if (file_) {
+        next_checkpoint.emplace(start + to_duration(options_.every.value_or(seconds_between_checkpoints)), state.stop);
+      }
       spent_.rays += render.run(state);
     }
-    interruption_->stop_through(nullptr);
+    interruption_->only_note();
     spent_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     const bool is_saving = saving.valid() && saving.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     const bool finished = render.is_finished(), ends = finished || is_over();

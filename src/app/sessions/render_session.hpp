@@ -30,6 +30,9 @@ class RenderSession {
   // Whether earlier sessions have finished this picture of the scene.
   bool has_finished(const PictureKey& key) const;
 
+  // Before the next picture is prepared, which may take long and cannot be stopped: where nothing can be lost, a signal
+  // or the end of the time ends the program until run() is called.
+  void prepare();
   // Renders until the picture is finished or the session has to end. Returns whether it is finished; if not, the
   // checkpoint is written, if it can be.
   bool run(ResumableRender& render, PictureKey key, RenderState& state);

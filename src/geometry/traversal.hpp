@@ -103,6 +103,7 @@ inline void find_nearest(const World& world, std::uint32_t group, const Rays& ra
     const Mask same = open & (search.leaf == Ints(index));
     if (!hits.defined && bits(same) == bits(open)) {
       finish_hit<true>(g, index, same, hits);
+      hits.defined = true;
       return;
     }
     hits.define();

@@ -9,14 +9,17 @@
 namespace penumbra::test {
 namespace {
 
+// How a render is stopped.
+using Flag = std::atomic<bool> RenderState::*;
+
 // The film of a render that is stopped after `calls()` calls of the kernel, again and again; and the number of
 // sessions.
 template <class Calls>
-std::pair<FilmValues, int> in_sittings(const Setting& setting, int threads, const Calls& calls) {
+std::pair<FilmValues, int> in_sittings(const Setting& setting, int threads, Flag flag, const Calls& calls) {
   std::vector<std::byte> saved;
   for (int sittings = 1;; sittings++) {
     RenderState state;
-    const StoppingKernel kernel(state.stop);
+    const StoppingKernel kernel(state.*flag);
     Setting now = setting;
     now.plan.threads = threads;
     const std::unique_ptr<ResumableRender> render = now.render(kernel.kernel());
@@ -24,7 +27,7 @@ std::pair<FilmValues, int> in_sittings(const Setting& setting, int threads, cons
     StoppingKernel::stop_in_call(calls());
     render->run(state);
     if (render->is_finished()) return {values_of(render->take_film()), sittings};
-    EXPECT_TRUE(state.stop);
+    EXPECT_TRUE(state.*flag);
     saved = encode_checkpoint(now.key, {}, *render);
   }
 }
@@ -36,10 +39,12 @@ TEST_P(Resume, GivesTheUnbrokenFilm) {
   const FilmValues whole = unbroken(setting);
   std::mt19937 random(1);
   for (const int longest : {40, scaled(100, 400)}) {
+    const auto calls = [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(longest)); };
     for (const int threads : {1, 3}) {
-      const auto [film, sittings] = in_sittings(
-          setting, threads, [&] { return 1 + static_cast<int>(random() % static_cast<unsigned>(longest)); });
-      EXPECT_TRUE(film == whole) << sittings << " sessions";
+      for (const Flag flag : {&RenderState::stop, &RenderState::give_up}) {
+        const auto [film, sittings] = in_sittings(setting, threads, flag, calls);
+        EXPECT_TRUE(film == whole) << sittings << " sessions";
+      }
     }
   }
 }
@@ -51,8 +56,23 @@ TEST_P(Resume, OneCallAtATime) {
   crop = {crop.x0, crop.y0, crop.x0 + 9, crop.y0 + 3};
   const FilmValues whole = unbroken(setting);
   int most = 0;
-  const auto [film, sittings] = in_sittings(setting, 1, [&] { return setting.goal ? 1000 : (most++, 1); });
+  const auto [film, sittings] =
+      in_sittings(setting, 1, &RenderState::stop, [&] { return setting.goal ? 1000 : (most++, 1); });
   EXPECT_TRUE(film == whole) << sittings << " sessions";
+}
+
+// Samples that are given up are neither in the film nor in the counts.
+TEST_P(Resume, NothingIsLeftOfWhatIsGivenUp) {
+  const Setting setting(GetParam());
+  RenderState state;
+  const StoppingKernel kernel(state.give_up);
+  const std::unique_ptr<ResumableRender> render = setting.render(kernel.kernel());
+  StoppingKernel::stop_in_call(1);
+  const RayCounts rays = render->run(state);
+  EXPECT_TRUE(state.give_up);
+  EXPECT_EQ(rays.total(), 0u);
+  EXPECT_EQ(state.rays, 0u);
+  EXPECT_EQ(render->take_film().total_samples(), 0u);
 }
 
 // The same process continues, as it does after it has written a checkpoint.

@@ -25,7 +25,9 @@ std::array<struct sigaction, signals.size()> old_actions;
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void end() {
-  constexpr std::string_view words = "penumbra: interrupted while the scene was prepared: no picture is lost\n";
+  const std::string_view words = time_is_up
+                                     ? "penumbra: the time limit is reached before the first ray of the picture\n"
+                                     : "penumbra: interrupted before the first ray of the picture\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
   ::_exit(EX_TEMPFAIL);
 }

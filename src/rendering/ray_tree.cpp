@@ -10,11 +10,12 @@ namespace {
 struct Keeper {
   RayTree& tree;
   std::size_t most;
+  std::atomic<bool> given_up{false};
 
   static RecordedRay* add(void* self) {
     auto& keeper = *static_cast<Keeper*>(self);
     if (keeper.tree.rays.size() >= keeper.most) {
-      keeper.tree.left_out++;
+      if (++keeper.tree.left_out >= most_left_out) keeper.given_up = true;
       return nullptr;
     }
     return &keeper.tree.rays.emplace_back();
@@ -66,7 +67,8 @@ RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std
                      std::size_t most) {
   RayTree tree;
   Keeper keeper{tree, most};
-  kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add});
+  kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add, &keeper.given_up});
+  tree.given_up = keeper.given_up;
   return tree;
 }
 
@@ -119,6 +121,8 @@ std::string ray_tree_text(const Frame& frame, const RayTree& tree, int x, int y,
     text += fmt::format("{}: from {} toward {}, time {}; {}; {}\n", name_of(ray), place_of(frame, ray.origin),
                         words(ray.direction), ray.time, hit_of(frame, ray), result_of(ray));
   }
+  if (tree.given_up)
+    return text + fmt::format("... and more than {} more rays, not followed to the end\n", most_left_out);
   if (tree.left_out > 0) text += fmt::format("... and {} more rays\n", tree.left_out);
   return text + fmt::format("sum {}; in the film {}\n", words(sum_of(tree, 0)), words(value_in_film(frame, tree)));
 }

@@ -13,7 +13,11 @@ namespace penumbra {
 struct RayTree {
   std::deque<RecordedRay> rays;  // the eye ray first, every ray after the one whose hit sent it
   std::uint64_t left_out = 0;    // rays beyond the limit, which are not kept
+  bool given_up = false;         // there are even more rays than are sent: what came back is not complete
 };
+
+// So many rays are sent beyond those that are kept.
+inline constexpr std::uint64_t most_left_out = std::uint64_t{1} << 20;
 
 // Traces sample `sample` of pixel (x, y), for a picture of `count` samples per pixel, as render_samples does. Keeps the
 // first `most` rays.

@@ -1,6 +1,7 @@
 // What is recorded of the rays of one sample, and who receives it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "tracing/ray_kind.hpp"
@@ -33,6 +34,7 @@ struct RayListener {
   // Returns where to keep a new ray, in the order in which the rays are sent, or null if there is no more room. What
   // comes back is filled in later, so what was returned must stay where it is.
   RecordedRay* (*add)(void* self);
+  const std::atomic<bool>* given_up = nullptr;  // once it is set, no further rays are sent
 };
 
 }  // namespace penumbra

@@ -21,7 +21,7 @@ void record_sample(const Frame& frame, int x, int y, std::uint32_t sample, std::
   RayCounts counts;
   RayRecorder recorder(frame.world, listener, static_cast<int>(sample - first));
   const Pixel pixel{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
-  PacketRenderer{frame, film, {{&pixel, 1}, first, end}, counts, recorder}.render();
+  PacketRenderer{frame, film, {{&pixel, 1}, first, end, listener.given_up}, counts, recorder}.render();
 }
 
 }  // namespace penumbra::PENUMBRA_KERNEL

@@ -121,6 +121,18 @@ TEST(RayTree, KeepsNoMoreThanAsked) {
   EXPECT_GT(tree.left_out, 80u);
 }
 
+// A tree of 2^100 rays.
+TEST(RayTree, IsGivenUpWhereItHasNoEnd) {
+  std::string text =
+      "image_size 1 1\neye 0 0 9\nlight 0 9 0 1 1 1\nmax_depth 100\nshiny 0 0 0 0 0 0 0 0 0 1 .5 .5 1.5\n";
+  for (int i = 0; i < 100; i++) text += fmt::format("sphere {} 0 0 0\n", 1 + 0.05 * i);
+  const Frame frame = test::frame_from(test::scene_from(text));
+  const RayTree tree = trace_sample(frame, *usable_kernels().back(), 0, 0, 0, 1, 10);
+  EXPECT_TRUE(tree.given_up);
+  EXPECT_EQ(tree.rays.size(), 10u);
+  EXPECT_TRUE(ray_tree_text(frame, tree, 0, 0, 0).ends_with("more rays, not followed to the end\n"));
+}
+
 TEST(DebugPixelOption, PrintsTheTreeAndTheSampleOfThePicture) {
   const test::TestFolder folder;
   test::put_content(folder / "a.cli", hall);

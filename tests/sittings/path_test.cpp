@@ -68,6 +68,7 @@ TEST_F(Path, OfWhatTheSceneReadsIsNoOutput) {
   refuses("$P render scene.cli -o mesh.png", "mesh.png", "mesh.png");
   put_content(scene_, ball + "read part.png\nwrite part.png\n");
   refuses("$P render scene.cli", "part.png", "part.png");
+  refuses("$P check scene.cli", "part.png", "part.png");
   put_content(scene_, ball + "render\nwrite scene.png\n");
   refuses("$P render scene.cli", "scene.png", "scene.png");
 }

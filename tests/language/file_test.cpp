@@ -38,8 +38,16 @@ TEST(Read, takesAPartOfAPolygonOrGroup) {
 }
 
 TEST(Read, takesPicturesInsideOtherFiles) {
-  const SceneFile file = read(light + ball + "read b.cli\nread b.cli\n", {}, {{"b.cli", "write a.png\n" + ball}});
+  const SceneFile file = read(light + ball + "read b.cli\nread b.cli\n", {}, {{"b.cli", "render\n" + ball}});
   EXPECT_EQ(pictures(file).size(), 2u);
+}
+
+TEST(Read, refusesTwoPicturesOfOneName) {
+  const std::string scene = light + ball + "write a.png\nread b.cli\n";
+  const std::string said = told(read(scene, {}, {{"b.cli", "write b.png\nwrite ./a.png\n"}}));
+  EXPECT_EQ(said,
+            "b.cli:2:7: error: `./a.png` is written at s.cli:3 already, and this picture would replace it\n"
+            "  write ./a.png\n        ^~~~~~~\n");
 }
 
 TEST(Read, saysWhatCannotBeRead) {

@@ -1,7 +1,9 @@
 // No file serves two purposes, nothing that a user has is lost, and what keeps a file from being written shows before
 // anything is rendered.
 #include <filesystem>
+#include <span>
 
+#include "app/files/rescue.hpp"
 #include "sittings/sitting_fixture.hpp"
 
 namespace penumbra::test {
@@ -68,6 +70,7 @@ TEST_F(Path, OfWhatTheSceneReadsIsNoOutput) {
   refuses("$P render scene.cli -o mesh.png", "mesh.png", "mesh.png");
   put_content(scene_, ball + "read part.png\nwrite part.png\n");
   refuses("$P render scene.cli", "part.png", "part.png");
+  refuses("$P check scene.cli", "part.png", "part.png");
   put_content(scene_, ball + "render\nwrite scene.png\n");
   refuses("$P render scene.cli", "scene.png", "scene.png");
 }
@@ -141,6 +144,20 @@ TEST_F(Path, OfAnExrNeedsItsModuleAtOnce) {
   const ProgramResult result = shell("./alone render scene.cli --rays 16000000 --size 999x999 -o a.exr");
   EXPECT_EQ(result.exit_code, 73) << result.output;
   EXPECT_NE(result.output.find("libpenumbra_exr.so"), std::string::npos) << result.output;
+}
+
+TEST_F(Path, OfARescuedFileIsInAFolderThatIsThere) {
+  const fs::path old = fs::current_path();
+  fs::current_path(folder_.path());
+  const std::string text = "picture";
+  const auto bytes = std::as_bytes(std::span(text));
+  EXPECT_EQ(rescue(path("gone/a.png"), bytes), "a.rescued.png");
+  EXPECT_EQ(rescue(path("gone/a.png"), bytes), "a.rescued-2.png");
+  EXPECT_EQ(rescue(path(std::string(300, 'b') + ".exr"), bytes), path(std::string(100, 'b') + ".rescued.exr"));
+  EXPECT_EQ(rescue("/dev/stdout", bytes), "picture.rescued.png");
+  fs::current_path(old);
+  EXPECT_EQ(content_of(path("a.rescued-2.png")), text);
+  EXPECT_EQ(content_of(path("picture.rescued.png")), text);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 
 #include "app/check/lens_table.hpp"
 #include "app/options/shared_options.hpp"
+#include "app/render/outputs.hpp"
+#include "app/render/render_paths.hpp"
 #include "geometry/precision.hpp"
 
 namespace penumbra {
@@ -115,6 +117,15 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
   return text + lens_table(scene);
 }
 
+// Throws FileError 64 if a picture of the scene would replace another one, or a file that the scene reads.
+void require_own_files(const std::string& scene, const SceneFile& file) {
+  PathTable table;
+  add_inputs(table, scene, file);
+  for (const auto& of_picture : output_files(file.actions, scene, {})) {
+    for (const std::filesystem::path& path : of_picture) table.writes(path, "a picture of the scene");
+  }
+}
+
 }  // namespace
 
 SceneFile read_and_examine(const std::string& scene, const ReadOptions& options) {
@@ -169,6 +180,7 @@ int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors
   for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;
+  require_own_files(options.scene, file);
   fmt::print(out, "{}", describe(file));
   return 0;
 }

@@ -19,7 +19,7 @@ struct CheckOptions {
 Subcommand check_subcommand(CheckOptions& options);
 
 // Writes errors and warnings to `errors` and, if there is no error, the summary to `out`. Returns the exit code: 0, 65
-// if the scene has errors, 66 if the file does not exist.
+// if the scene has errors, 64 (FileError) if a picture of it would replace a file of it, 66 if the file does not exist.
 int check_command(const CheckOptions& options, std::FILE* out = stdout, std::FILE* errors = stderr);
 
 // Reads a scene file, and adds the warnings about what is in it to those about how it is written.

@@ -69,8 +69,8 @@ class RenderRun {
       if (!finished || failure_ != 0) break;
       scenes_.current_is_done();
     }
-    if (failure_ == 0) failure_ = session_.failure();
     const bool all_is_done = finished && failure_ == 0;
+    if (failure_ == 0) failure_ = session_.failure();
     stats_.parse_seconds = scenes_.seconds();
     if (!asked_.stats.empty()) write_or_rescue(asked_.stats, bytes_of(to_json(stats_)));
     if (!finished) fmt::print(stderr, "penumbra: {}\n", session_.why());

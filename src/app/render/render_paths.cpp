@@ -7,6 +7,11 @@
 
 namespace penumbra {
 
+void add_inputs(PathTable& table, const std::string& scene, const SceneFile& file) {
+  table.reads(scene == standard_input ? "/dev/stdin" : file.files.front(), "the scene");
+  for (std::size_t i = 1; i < file.files.size(); i++) table.reads(file.files[i], "a file that the scene reads");
+}
+
 RenderPaths::RenderPaths(const RenderOptions& options) : options_(options) {
   const RenderSessionOptions& session = options.session;
   const auto writes = [this](const std::filesystem::path& path, std::string_view purpose) {
@@ -24,16 +29,7 @@ RenderPaths::RenderPaths(const RenderOptions& options) : options_(options) {
 }
 
 void RenderPaths::add(const SceneFrames& scenes) {
-  const bool is_pipe = options_.scene == standard_input;
-  const std::vector<std::string>& files = scenes.file().files;
-  for (std::size_t i = 0; i < files.size(); i++) {
-    if (!read_.insert(files[i]).second) continue;
-    if (i == 0) {
-      table_.reads(is_pipe ? "/dev/stdin" : files[i], "the scene");
-    } else {
-      table_.reads(files[i], "a file that the scene reads");
-    }
-  }
+  if (first_frame_) add_inputs(table_, options_.scene, scenes.file());  // the same in all frames
   bool first_picture = first_frame_;
   for (const auto& of_picture : scenes.outputs()) {
     for (const std::filesystem::path& file : of_picture) {

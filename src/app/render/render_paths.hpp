@@ -2,13 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
+#include <string>
 #include <vector>
 
 #include "app/files/path_table.hpp"
 #include "app/render/scene_frames.hpp"
 
 namespace penumbra {
+
+// Notes the files that a scene reads; `scene` is its name on the command line.
+void add_inputs(PathTable& table, const std::string& scene, const SceneFile& file);
 
 class RenderPaths {
  public:
@@ -28,7 +31,6 @@ class RenderPaths {
  private:
   const RenderOptions& options_;
   PathTable table_;
-  std::set<std::string> read_;
   std::vector<std::filesystem::path> files_, pictures_;  // to be written
   bool first_frame_ = true;
 };

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/file_lock.hpp"
 #include "rendering/checkpoint.hpp"

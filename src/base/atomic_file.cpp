@@ -19,8 +19,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/no_broken_pipe.hpp"
 #include "base/parse.hpp"
+#include "base/write_all.hpp"
 
 namespace penumbra {
 namespace {
@@ -62,21 +62,6 @@ struct Temporary {
   bool renamed = false;
 };
 
-// Writes everything; returns the error number, 0 for none.
-int write_all(int fd, std::span<const std::byte> bytes) {
-  // One call of write() takes at most 2 GB - 4 KB on Linux.
-  constexpr std::size_t largest_write = std::size_t{1} << 30;
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), std::min(bytes.size(), largest_write));
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
-
 // Forces the data to the disk; returns the error number, 0 for none or where the file system cannot do it.
 int sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno; }
 
@@ -111,7 +96,6 @@ void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   const std::optional<int> inherited = descriptor_named(path);
   Descriptor file(inherited ? ::fcntl(*inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.get() < 0) fail(EX_CANTCREAT, "open", path, errno);
-  const NoBrokenPipe no_broken_pipe;
   if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
   if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -20,17 +19,11 @@ struct Checked {
 
 Checked check(const CheckOptions& options) {
   Checked result;
-  char *out_text = nullptr, *error_text = nullptr;
-  std::size_t out_size = 0, error_size = 0;
-  std::FILE* const out = open_memstream(&out_text, &out_size);
-  std::FILE* const errors = open_memstream(&error_text, &error_size);
-  result.code = check_command(options, out, errors);
-  std::fclose(out);
-  std::fclose(errors);
-  result.out.assign(out_text, out_size);
-  result.errors.assign(error_text, error_size);
-  std::free(out_text);
-  std::free(error_text);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  result.code = check_command(options);
+  result.out = testing::internal::GetCapturedStdout();
+  result.errors = testing::internal::GetCapturedStderr();
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/check/lens_table.hpp"
 #include "app/options/shared_options.hpp"
+#include "base/say.hpp"
 #include "geometry/precision.hpp"
 
 namespace penumbra {
@@ -163,13 +164,13 @@ Subcommand check_subcommand(CheckOptions& options) {
   return check;
 }
 
-int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors) {
+int check_command(const CheckOptions& options) {
   const SceneFile file =
       read_and_examine(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
-  for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
+  for (const Diagnostic& diagnostic : file.diagnostics) say(to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;
-  fmt::print(out, "{}", describe(file));
+  print(describe(file));
   return 0;
 }
 

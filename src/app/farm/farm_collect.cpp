@@ -2,13 +2,13 @@
 #include <sysexits.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "app/farm/farm_command.hpp"
 #include "app/merge/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/say.hpp"
 #include "base/version.hpp"
 #include "farm/child_process.hpp"
 #include "farm/slurm.hpp"
@@ -147,7 +147,7 @@ class Collection {
       complain("Slurm still has their tasks; the merge that waits for them writes the picture");
       return EX_TEMPFAIL;
     }
-    fmt::print("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids)));
+    print(fmt::format("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids))));
     return 0;
   }
 
@@ -195,7 +195,7 @@ class Collection {
     std::set<std::string> ids = queue_->ids;
     ids.insert(id);
     const std::string merge_id = submit(merge_command_after(folder_, ids));
-    fmt::print("resubmitted: {} renders tasks {}, {} merges\n", id, ranges(tasks), merge_id);
+    print(fmt::format("resubmitted: {} renders tasks {}, {} merges\n", id, ranges(tasks), merge_id));
     return 0;
   }
 

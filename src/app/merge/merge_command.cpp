@@ -7,6 +7,7 @@
 
 #include "app/merge/part_file.hpp"
 #include "app/render/outputs.hpp"
+#include "base/say.hpp"
 #include "image/image_file.hpp"
 
 namespace penumbra {

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <string_view>
 
 #include "base/archive.hpp"
+#include "base/say.hpp"
 #include "image/exr.hpp"
 #include "image/image_file.hpp"
 #include "picture/develop.hpp"
@@ -104,8 +104,8 @@ void write_merged(const std::vector<Part>& parts, const std::vector<std::string>
     write_image(output, image, {development.bits, development.rounding});
     force_folder_of(output);  // its parts may be removed now
     if (!quiet) {
-      fmt::print(stderr, "{}: {}x{} pixels, from {} parts\n", output, header.crop.width(), header.crop.height(),
-                 parts.size());
+      say(fmt::format("{}: {}x{} pixels, from {} parts\n", output, header.crop.width(), header.crop.height(),
+                      parts.size()));
     }
   }
 }

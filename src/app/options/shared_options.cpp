@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/parse.hpp"
+#include "base/say.hpp"
 #include "picture/option_table.hpp"
 #include "rendering/isa.hpp"
 

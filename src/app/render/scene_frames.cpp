@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "app/check/check_command.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/render_checks.hpp"
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 
 namespace penumbra {
 namespace {
@@ -61,10 +61,10 @@ int SceneFrames::check(const std::function<void()>& visit) {
 
 int SceneFrames::check_current(bool first) {
   const bool wrong = has_error(file_.diagnostics);
-  if (wrong && file_.varies && options_.frame) fmt::print(stderr, "penumbra: in frame {}:\n", *options_.frame);
+  if (wrong && file_.varies && options_.frame) complain(fmt::format("in frame {}:", *options_.frame));
   for (const Diagnostic& diagnostic : file_.diagnostics) {
     const bool is_new = first && !options_.quiet;
-    if (is_new || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
+    if (is_new || diagnostic.severity == Severity::error) say(to_string(diagnostic));
   }
   if (!file_.found) return EX_NOINPUT;
   if (wrong) return EX_DATAERR;

@@ -5,13 +5,13 @@
 #include <sysexits.h>
 
 #include <condition_variable>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <thread>
 
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
@@ -70,17 +70,16 @@ void RenderSession::open_checkpoint() {
   if (exists && !std::filesystem::is_regular_file(path, error)) refuse("it is not a regular file");
   if (options_.resume) {
     LastCheckpoint last = read_last_checkpoint(path);
-    if (!last.warning.empty() && !quiet_) fmt::print(stderr, "penumbra: warning: {}\n", last.warning);
+    if (!last.warning.empty() && !quiet_) warn(last.warning);
     keeps_previous_ = last.warning.empty();
     checkpoint_ = std::move(last.checkpoint);
     if (!checkpoint_ && !quiet_) {
-      fmt::print(stderr, "penumbra: there is no checkpoint `{}` yet: rendering from the beginning\n", path.string());
+      complain(fmt::format("there is no checkpoint `{}` yet: rendering from the beginning", path.string()));
     }
   } else if (exists) {
     if (!may_be_checkpoint(path)) refuse("a file of another kind has that name; choose another one");
     if (!quiet_) {
-      fmt::print(stderr, "penumbra: warning: rendering from the beginning, without --resume: `{}` will be replaced\n",
-                 path.string());
+      warn(fmt::format("rendering from the beginning, without --resume: `{}` will be replaced", path.string()));
     }
   }
 }

@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
-#include <cstdio>
-
 #include "app/options/command_line.hpp"
 #include "app/options/shared_options.hpp"
 #include "base/parse.hpp"
+#include "base/say.hpp"
 #include "picture/option_text.hpp"
 #include "viewer/loaded_scene.hpp"
 #include "viewer/window/run_window.hpp"
@@ -33,15 +32,15 @@ std::string take_window_size(WindowOptions& window, std::string_view text) {
 
 int say_no_display(const ViewOptions& options, const char* why) {
   const std::filesystem::path scene = first_scene(options.given);
-  fmt::print(stderr, "penumbra: there is no display to open a window on ({}); use `penumbra render {} -o OUT.png`\n",
-             why, scene.empty() ? "SCENE.cli" : scene.string());
+  complain(fmt::format("there is no display to open a window on ({}); use `penumbra render {} -o OUT.png`", why,
+                       scene.empty() ? "SCENE.cli" : scene.string()));
   return EX_UNAVAILABLE;
 }
 
 int open_window(ViewOptions& options) {
   std::error_code error;
   if (!std::filesystem::exists(options.given, error)) {
-    fmt::print(stderr, "penumbra: there is no scene file or folder `{}`\n", options.given);
+    complain(fmt::format("there is no scene file or folder `{}`", options.given));
     return EX_NOINPUT;
   }
   options.session.kernel = kernel_of(options.machine);

@@ -210,7 +210,7 @@ void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit) {
   TriangleBuilder& triangles = reading.builder.triangles();
   const ReadProgress outer = triangles.progress();
   triangles.start_file({0, text.size()});
-  while (!reading.diagnostics.is_full() && cursor.next(line)) {
+  while (!reading.diagnostics.is_full() && cursor.next(line) && !bytes.has_gap()) {
     interpret_line(reading, visit, line);
     const std::size_t done = text.size() - cursor.remaining();
     triangles.progress().done = done;

@@ -51,6 +51,7 @@ void read(Reading& reading, const Call& call) {
   const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place());
   reading.open_files.push_back({file->path, file->loaded.identity, visit});
   interpret_text(reading, file->loaded.bytes, visit);
+  if (file->loaded.bytes.has_shrunk()) reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);
   reading.open_files.pop_back();
 }
 

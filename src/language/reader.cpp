@@ -42,6 +42,7 @@ void read_first_file(Reading& reading, const std::filesystem::path& path, Loaded
   }
   reading.open_files.push_back({path, file.identity, visit});
   interpret_text(reading, file.bytes, visit);
+  if (file.bytes.has_shrunk()) reading.diagnostics.error(whole_file(visit), file_has_shrunk);
   if (!reading.diagnostics.is_full()) finish_reading(reading);
 }
 
@@ -168,7 +169,7 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   ContentHasher hasher;
   const auto load = [&, is_first = true](const std::filesystem::path& file) mutable {
     LoadedFile loaded =
-        std::exchange(is_first, false) && is_pipe ? load_standard_input(Limits().bytes) : load_file(file);
+        std::exchange(is_first, false) && is_pipe ? load_standard_input() : load_file(file);
     if (options.hash) hasher.add(std::as_bytes(std::span(loaded.bytes.view())));
     return loaded;
   };

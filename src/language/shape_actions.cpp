@@ -131,6 +131,9 @@ void mesh(Reading& reading, const Call& call) {
   const std::size_t first_normal_number = store.normal_numbers.size();
   const std::optional<MeshError> error =
       read_mesh(file->path, file->loaded.bytes, MeshStore(store, builder.matrix(), flat));
+  if (file->loaded.bytes.has_shrunk()) {
+    return reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);
+  }
   if (!error) return reading.report(call.place(), builder.add_mesh(first, first_normal_number));
   SourcePlace place = error->place;
   place.visit = reading.diagnostics.open(file->path.string(), call.place());

@@ -72,6 +72,8 @@ std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const 
 }
 
 bool ends_as_part_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
   std::array<char, ending.size()> last{};
   file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);

@@ -6,6 +6,7 @@
 #include "app/options/shared_options.hpp"
 #include "base/parse.hpp"
 #include "base/say.hpp"
+#include "language/file_bytes.hpp"
 #include "picture/option_text.hpp"
 #include "viewer/loaded_scene.hpp"
 #include "viewer/window/run_window.hpp"
@@ -42,6 +43,12 @@ int open_window(ViewOptions& options) {
   if (!std::filesystem::exists(options.given, error)) {
     complain(fmt::format("there is no scene file or folder `{}`", options.given));
     return EX_NOINPUT;
+  }
+  if (!std::filesystem::is_directory(options.given, error)) {
+    if (const std::string problem = load_from_disk(options.given).problem; !problem.empty()) {
+      complain(fmt::format("cannot read the scene file `{}`: {}", options.given, problem));
+      return EX_NOINPUT;
+    }
   }
   options.session.kernel = kernel_of(options.machine);
   if (!options.session.kernel) return EX_SOFTWARE;

@@ -63,6 +63,11 @@ std::string to_string(const Diagnostic& diagnostic) {
   return text;
 }
 
+Diagnostic warning_at(const Place& place, std::string message) {
+  return {Severity::warning, place.file,         place.line,        place.column,
+          place.width,       std::move(message), place.source_line, {}};
+}
+
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::error; });
@@ -87,8 +92,8 @@ std::string in_quotes(std::string_view word) {
   return fmt::format("`{}{}`", text, head.size() < word.size() ? "..." : "");
 }
 
-std::uint32_t DiagnosticList::open(std::string file, const SourcePlace& by) {
-  visits_.push_back({std::move(file), by.visit, by.line, by.column});
+std::uint32_t DiagnosticList::open(std::string file, const SourcePlace& by, bool is_secret) {
+  visits_.push_back({std::move(file), by.visit, by.line, by.column, is_secret});
   return static_cast<std::uint32_t>(visits_.size() - 1);
 }
 
@@ -114,6 +119,19 @@ std::vector<std::int64_t> DiagnosticList::path_to(const SourcePlace& place) cons
   return path;
 }
 
+Diagnostic DiagnosticList::told(const Finding& finding) const {
+  const SourcePlace& place = finding.place;
+  if (visits_[place.visit].is_secret) {
+    Diagnostic diagnostic;
+    diagnostic.severity = finding.severity;
+    diagnostic.file = file_of(place);
+    diagnostic.message = "this is no scene without errors; not everybody may read it, so its lines are not shown";
+    return diagnostic;
+  }
+  return {finding.severity, file_of(place),  place.line,        place.column,
+          place.width,      finding.message, place.source_line, finding.hint};
+}
+
 std::vector<Diagnostic> DiagnosticList::take() {
   std::vector<std::pair<std::vector<std::int64_t>, const Finding*>> sorted;
   for (const Finding& finding : findings_) sorted.emplace_back(path_to(finding.place), &finding);
@@ -121,10 +139,7 @@ std::vector<Diagnostic> DiagnosticList::take() {
 
   std::vector<Diagnostic> list;
   for (const auto& [path, found] : sorted) {
-    const Finding& finding = *found;
-    const SourcePlace& place = finding.place;
-    const Diagnostic diagnostic{finding.severity, file_of(place),  place.line,        place.column,
-                                place.width,      finding.message, place.source_line, finding.hint};
+    const Diagnostic diagnostic = told(*found);
     const auto same = [&](const Diagnostic& d) {
       return d.file == diagnostic.file && d.line == diagnostic.line && d.column == diagnostic.column &&
              d.message == diagnostic.message;

@@ -66,6 +66,11 @@ std::string near_file(const std::filesystem::path& path) {
   return std::string(nearest_word(path.filename().string(), {names.begin(), names.end()}));
 }
 
+bool is_named_for_scenes(const std::filesystem::path& path) {
+  const std::filesystem::path ending = path.extension();
+  return ending == ".cli" || ending == ".obj" || ending == ".ply";
+}
+
 LoadedFile load(const std::filesystem::path& path, bool may_map) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (file.number < 0) {
@@ -82,6 +87,7 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
   if (static_cast<std::uint64_t>(status.st_size) > most_bytes_read) return failure(too_large(most_bytes_read));
 
   LoadedFile loaded;
+  loaded.is_secret = (status.st_mode & S_IROTH) == 0 && !is_named_for_scenes(path);
   loaded.identity = std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
   const auto size = static_cast<std::size_t>(status.st_size);
   if (may_map && size >= smallest_mapped) {

@@ -49,6 +49,7 @@ struct LoadedFile {
   FileBytes bytes;
   std::string identity;    // equal for two paths that lead to the same file
   std::string problem;     // why it could not be read; empty if it was
+  bool is_secret = false;  // not for everybody to read, and not named as a scene or a mesh: no message may show it
   std::string near;        // a file of the same folder whose name is near, where there is none of this name
 };
 

@@ -2,16 +2,21 @@
 #include <algorithm>
 
 #include "language/actions.hpp"
+#include "language/path_boundary.hpp"
 
 namespace penumbra::actions {
 namespace {
 
-void take_picture(Reading& reading, const Call& call, std::string file) {
-  const Problem wrong = reading.builder.add_picture(std::move(file));
-  if (!wrong.empty()) return reading.diagnostics.error(call.place(), wrong);
+void take_picture_here(Reading& reading, const Call& call, std::string_view file) {
+  take_picture(reading, std::string(file), call.place());
   reading.objects_in_pictures = reading.builder.tree().objects_added();
   reading.after_pictures.reset();
-  warn_of_empty_picture(reading, call.place());
+}
+
+bool has_ending(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() &&
+         std::ranges::equal(name.substr(name.size() - ending.size()), ending, {},
+                            [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
 }
 
 }  // namespace
@@ -29,9 +34,23 @@ void image_size(Reading& reading, const Call& call) {
   scene.settings.height = call.whole(1);
 }
 
-void write(Reading& reading, const Call& call) { take_picture(reading, call, std::string(call.name(0))); }
+void write(Reading& reading, const Call& call) {
+  if (!has_ending(call.name(0), ".png") && !has_ending(call.name(0), ".exr")) {
+    const std::string message =
+        fmt::format("the name of a picture has to end in .png or .exr; found {}", in_quotes(call.name(0)));
+    if (!reading.options.lenient) return reading.diagnostics.error(call.place_of_argument(0), message);
+    reading.diagnostics.warning(call.place_of_argument(0), message);
+  }
+  if (!reading.options.allow_paths && !is_in_reach(call.name(0), reading.open_files.front().path)) {
+    return reading.error(call.place_of_argument(0),
+                         "cannot write {}: it is outside the working folder and the folder of the scene; --allow-paths "
+                         "allows that",
+                         in_quotes(call.name(0)));
+  }
+  take_picture_here(reading, call, call.name(0));
+}
 
-void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
+void render(Reading& reading, const Call& call) { take_picture_here(reading, call, {}); }
 
 void read(Reading& reading, const Call& call) {
   if (reading.open_files.size() >= reading.limits.open_files) {
@@ -48,7 +67,7 @@ void read(Reading& reading, const Call& call) {
         itself ? std::string("this file reads itself")
                : fmt::format("this file reads itself again, by way of `{}`", reading.open_files.back().path.string()));
   }
-  const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place());
+  const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place(), file->loaded.is_secret);
   reading.open_files.push_back({file->path, file->loaded.identity, visit});
   interpret_text(reading, file->loaded.bytes, visit);
   if (file->loaded.bytes.has_shrunk()) reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);

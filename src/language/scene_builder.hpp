@@ -72,7 +72,7 @@ class SceneBuilder {
   const ObjectTree& tree() const { return tree_; }
 
   // Pictures, timers and painted rectangles.
-  Problem add_picture(std::string file);
+  Problem add_picture(std::string file, TopicPlaces places);
   void add_timer(const Action& action) { actions_.push_back(action); }
   void set_paint(Color color) { paint_ = color; }
   void add_rect(int x0, int y0, int x1, int y1) { rects_.push_back({x0, y0, x1, y1, paint_}); }

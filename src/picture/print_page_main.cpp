@@ -11,5 +11,5 @@
 int main(int argc, char** argv) {
   if (argc != 3) return 64;
   const bool is_language = std::string_view(argv[1]) == "language";
-  print(is_language ? penumbra::language_markdown(argv[2]) : penumbra::options_markdown(argv[2]));
+  penumbra::print(is_language ? penumbra::language_markdown(argv[2]) : penumbra::options_markdown(argv[2]));
 }

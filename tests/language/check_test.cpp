@@ -139,7 +139,8 @@ TEST(Check, hasAnExitCodeForEachCase) {
   result = check({.scene = path});
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.errors.find(path.string() + ": warning: the sphere at 1e+06 0 -4"), std::string::npos);
-  EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
+  EXPECT_NE(result.errors.find(path.string() + ": warning: nothing is in view"), std::string::npos);
+  EXPECT_NE(result.out.find("2 warnings\n"), std::string::npos);
 
   std::ofstream(path) << "read no-such-file.cli\n";
   EXPECT_EQ(check({.scene = path}).code, 65);

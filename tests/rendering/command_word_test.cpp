@@ -65,8 +65,8 @@ TEST(CommandWord, AnEmptyValueIsAnError) {
     EXPECT_EQ(result.exit_code, 64) << words;
     EXPECT_NE(result.output.find("=: its value is empty\n"), std::string::npos) << result.output;
   }
-  for (const std::string words : {"render scene.cli --stats ''", "render scene.cli -o ''", "render ''",
-                                  "render scene.cli --checkpoint ''", "samples -o ''"}) {
+  for (const std::string words :
+       {"render scene.cli --stats ''", "render scene.cli -o ''", "render ''", "render scene.cli --checkpoint ''"}) {
     const ProgramResult result = run(words);
     EXPECT_EQ(result.exit_code, 64) << words;
     EXPECT_NE(result.output.find(": its value is empty\n"), std::string::npos) << result.output;

@@ -10,7 +10,7 @@
 #include "app/check/lens_table.hpp"
 #include "app/options/shared_options.hpp"
 #include "base/say.hpp"
-#include "geometry/precision.hpp"
+#include "picture/examine.hpp"
 
 namespace penumbra {
 namespace {
@@ -118,19 +118,6 @@ std::string describe_picture(const Picture& picture, std::size_t number) {
 
 }  // namespace
 
-SceneFile read_and_examine(const std::string& scene, const ReadOptions& options) {
-  SceneFile file = read_scene(scene, options);
-  const auto last = std::find_if(file.actions.rbegin(), file.actions.rend(),
-                                 [](const Action& action) { return std::holds_alternative<Picture>(action); });
-  if (last == file.actions.rend()) return file;
-  Diagnostic warning;
-  warning.severity = Severity::warning;
-  warning.file = file.files.front();
-  warning.message = precision_warning(*std::get<Picture>(*last).scene);
-  if (!warning.message.empty()) file.diagnostics.push_back(warning);
-  return file;
-}
-
 std::string describe(const SceneFile& file) {
   std::string text;
   for (const std::string& name : file.files) text += fmt::format("read: {}\n", name);
@@ -159,14 +146,14 @@ Subcommand check_subcommand(CheckOptions& options) {
   check.options = {
       {"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
       picture_option(options.picture, "course"),
-      picture_option(options.picture, "lenient")};
+      picture_option(options.picture, "lenient"),
+      paths_option(options.picture)};
   check.run = [&options] { return check_command(options); };
   return check;
 }
 
 int check_command(const CheckOptions& options) {
-  const SceneFile file =
-      read_and_examine(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
+  const SceneFile file = read_and_examine(options.scene, options.picture);
   for (const Diagnostic& diagnostic : file.diagnostics) say(to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;

@@ -11,7 +11,7 @@ namespace penumbra {
 
 struct CheckOptions {
   std::string scene;
-  PictureOptions picture = {};  // only `course` and `lenient`
+  PictureOptions picture = {};  // only `course`, `lenient`, `allow_paths`
 };
 
 // The subcommand `check`; its options write to `options`, which must outlive it.
@@ -20,9 +20,6 @@ Subcommand check_subcommand(CheckOptions& options);
 // Writes errors and warnings to standard error and, if there is no error, the summary to standard output. Returns the
 // exit code: 0, 65 if the scene has errors, 66 if the file cannot be read.
 int check_command(const CheckOptions& options);
-
-// Reads a scene file, and adds the warnings about what is in it to those about how it is written.
-SceneFile read_and_examine(const std::string& scene, const ReadOptions& options);
 
 // The summary: files, pictures, and what each picture shows. Several lines, each ended by a newline.
 std::string describe(const SceneFile& file);

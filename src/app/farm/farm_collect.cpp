@@ -158,8 +158,10 @@ class Collection {
       if (word == course) asked.course = Course::any_year;
       if (word.starts_with("--course=")) asked.course = course_of_year(word.substr(course.size() + 1));
       if (word == "--lenient") asked.lenient = true;
+      if (word == "--allow-paths") asked.allow_paths = true;
     }
-    ReadOptions options{.course = asked.course, .lenient = asked.lenient, .hash = true};
+    ReadOptions options{
+        .course = asked.course, .lenient = asked.lenient, .allow_paths = asked.allow_paths, .hash = true};
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {

@@ -20,7 +20,8 @@ namespace {
 
 void take_or_throw(const CommandOption& option, std::string_view text) {
   const bool needs_text = !option.metavar.empty() && option.times != Times::value_optional;
-  const std::string wrong = needs_text && text.empty() ? "its value is empty" : option.take(text);
+  std::string wrong = option.take(text);
+  if (wrong.empty() && needs_text && text.empty()) wrong = "its value is empty";
   if (wrong.empty()) return;
   throw CLI::ValidationError(option.name.starts_with("-o,") ? "-o" : option.name, wrong);
 }

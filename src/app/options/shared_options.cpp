@@ -80,6 +80,11 @@ CommandOption picture_option(PictureOptions& options, std::string_view name) {
   return command_option(option_named(name), options);
 }
 
+CommandOption paths_option(PictureOptions& options) {
+  return {"--allow-paths", "", "Let the scene read files outside its folder, and write outside the working one [off]",
+          into(options.allow_paths)};
+}
+
 std::vector<CommandOption> machine_options(MachineOptions& options) {
   return {
       {"--threads", "N", "Threads [all processors this process may use]", into(options.threads, 1, most_threads)},

@@ -5,6 +5,7 @@
 
 #include "base/say.hpp"
 #include "image/image_file.hpp"
+#include "language/path_boundary.hpp"
 
 namespace penumbra {
 int check_before_rendering(const RenderOptions& options, const std::vector<Action>& actions,
@@ -41,6 +42,13 @@ int check_before_rendering(const RenderOptions& options, const std::vector<Actio
         complain(
             fmt::format("cannot write `{}`: the name ends neither in .png nor in .exr; name another "
                         "file with -o",
+                        path.string()));
+        return EX_CANTCREAT;
+      }
+      if (options.outputs.empty() && !options.allow_paths && !is_in_reach(path, options.scene)) {
+        complain(
+            fmt::format("cannot write `{}`: it is a link to a file outside the working folder and the folder of "
+                        "the scene; name another file with -o, or allow it with --allow-paths",
                         path.string()));
         return EX_CANTCREAT;
       }

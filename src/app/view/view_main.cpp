@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   view.options.insert(
       view.options.begin(),
       {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
+  view.options.push_back(paths_option(options.session.picture));
   for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
   view.options.push_back({"--window", "WxH", "Initial size of the window in pixels, WxH [1280x760]",
                           [&options](std::string_view text) { return take_window_size(options.window, text); }});

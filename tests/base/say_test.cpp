@@ -1,7 +1,10 @@
 // What the program says: nothing in it commands a terminal, and it is bounded.
 #include "base/say.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -56,6 +59,39 @@ TEST(Say, CutsTheMiddleOfALongLine) {
         return many;
       }());
   EXPECT_EQ(printable(wide), wide) << "no character is cut";
+}
+
+TEST(StandardStreams, ThatAreClosedStayUnusableAndNoFileTakesTheirPlace) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int stream : {0, 1, 2}) ::close(stream);
+    prepare_standard_streams();
+    char byte = 0;
+    const bool unusable = ::read(0, &byte, 1) < 0 && ::write(1, "x", 1) < 0 && ::write(2, "x", 1) < 0;
+    ::_exit(unusable && ::open("/dev/zero", O_RDWR) > 2 ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+// The work does not wait for a reader that does not read: here, the pipe is full.
+TEST(StandardStreams, ProgressDoesNotWaitForItsReader) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    int ends[2];
+    if (::pipe(ends) != 0) ::_exit(2);
+    ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
+    while (::write(ends[1], "x", 1) == 1) continue;
+    ::fcntl(ends[1], F_SETFL, 0);
+    ::dup2(ends[1], STDERR_FILENO);
+    ::alarm(60);
+    say_progress("10 % done");
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ const Object* solid_around(const Scene& scene, const Object& object, Vec3 p, dou
   if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
     return solid_around(scene, (*group)->objects, still, time);
   }
-  const Vec3 own = transform_point(inverse(scene.placements[object.placement]), still);
+  const Vec3 own = object.placement == 0 ? still : transform_point(inverse(scene.placements[object.placement]), still);
   if (const auto* instance = std::get_if<Instance>(&object.shape)) {
     return solid_around(scene, scene.definitions[instance->definition], own, time);
   }
@@ -93,12 +93,13 @@ bool contains(const Bounds& outer, const Bounds& inner) {
 
 }  // namespace
 
-std::string empty_view_warning(const Scene& scene) {
+std::string empty_view_warning(const Scene& scene, bool moves) {
   const ViewPyramid pyramid(scene);
   ObjectBounds at_open(scene, scene.camera.shutter_open), at_close(scene, scene.camera.shutter_close);
   bool any = false, all_behind = true;
   for (const Object& object : scene.root.objects) {
-    const Bounds bounds = include(at_open.of(object), at_close.of(object));
+    Bounds bounds = at_open.of(object);
+    if (moves) bounds = include(bounds, at_close.of(object));
     if (is_empty(bounds)) continue;
     any = true;
     std::array<bool, 5> all_beyond{true, true, true, true, true};

@@ -7,7 +7,7 @@ namespace penumbra {
 
 bool has_foreign_sign(Reading& reading, const Line& line, std::uint32_t visit, const Words& words,
                       const Command* command) {
-  if (line.text.find_first_of(",/") == line.text.npos) return false;
+  if (line.text.find(',') == line.text.npos && line.text.find('/') == line.text.npos) return false;
   const Form* const longest = command == nullptr ? nullptr : &command->forms.back();
   for (int i = 0; i < std::min(words.count, Words::most); i++) {
     const std::string_view word = words.word[static_cast<std::size_t>(i)];
@@ -29,6 +29,7 @@ bool has_foreign_sign(Reading& reading, const Line& line, std::uint32_t visit, c
 }
 
 void warn_of_byte_colors(Reading& reading, const Call& call) {
+  if (call.command.section == Section::shapes || call.command.section == Section::matrix) return;
   const double least = call.command.section == Section::lights ? 16 : 2;
   for (int i = 0; i + 2 < call.form.count(); i++) {
     const std::string_view name = call.form.argument[static_cast<std::size_t>(i)].name;

@@ -155,6 +155,7 @@ PictureOption without() {
   row.words = [](const Options& options, const Settings&) { return to_string(options.without); };
   row.apply = [](Scene& scene, const Options& options) { leave_out(scene, options.without); };
   row.idle = [](const Scene& scene, const Options& options) {
+    if (options.without.empty()) return std::string();
     Options others = options;
     others.without = {};
     const Scene with = with_options(scene, others);

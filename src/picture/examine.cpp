@@ -45,9 +45,12 @@ void warn_of_one_ray(const Picture& picture, const Scene& scene, const PictureOp
 }
 
 void examine(const Picture& picture, const PictureOptions& options, Warnings& warnings) {
-  const Scene scene = with_options(*picture.scene, options);
+  // The copy of a scene with a million objects takes a while.
+  const bool as_it_is = options == PictureOptions{};
+  const Scene changed = as_it_is ? Scene() : with_options(*picture.scene, options);
+  const Scene& scene = as_it_is ? *picture.scene : changed;
   warn_of_one_ray(picture, scene, options, warnings);
-  warnings.add(picture.place_of(Topic::camera), empty_view_warning(scene));
+  warnings.add(picture.place_of(Topic::camera), empty_view_warning(scene, moves(scene)));
   warnings.add(picture.place_of(Topic::camera), buried_eye_warning(scene));
 }
 

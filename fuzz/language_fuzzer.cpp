@@ -34,7 +34,8 @@ std::vector<std::string> split(std::string_view input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const ReadOptions options{.course = static_cast<Course>((data[0] & 1u) != 0 ? 1 + (data[0] >> 2) % 5 : 0),
-                            .lenient = (data[0] & 2) != 0};
+                            .lenient = (data[0] & 2) != 0,
+                            .allow_paths = true};
   const std::vector<std::string> parts = split({reinterpret_cast<const char*>(data) + 1, size - 1});
   const FileLoader load = [&](const std::filesystem::path& path) {
     LoadedFile loaded;

@@ -19,8 +19,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/no_broken_pipe.hpp"
 #include "base/parse.hpp"
+#include "base/write_all.hpp"
 
 namespace penumbra {
 namespace {
@@ -62,21 +62,6 @@ struct Temporary {
   bool renamed = false;
 };
 
-// Writes everything; returns the error number, 0 for none.
-int write_all(int fd, std::span<const std::byte> bytes) {
-  // One call of write() takes at most 2 GB - 4 KB on Linux.
-  constexpr std::size_t largest_write = std::size_t{1} << 30;
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), std::min(bytes.size(), largest_write));
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
-
 // Forces the data to the disk; returns the error number, 0 for none or where the file system cannot do it.
 int sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno; }
 
@@ -98,7 +83,6 @@ void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   const std::optional<int> inherited = descriptor_named(path);
   Descriptor file(inherited ? ::fcntl(*inherited, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.get() < 0) fail(EX_CANTCREAT, "open", path, errno);
-  const NoBrokenPipe no_broken_pipe;
   if (const int error = write_all(file.get(), bytes)) fail(EX_IOERR, "write", path, error);
   if (const int error = file.close()) fail(EX_IOERR, "write", path, error);
 }
@@ -223,6 +207,25 @@ void replace_file(const fs::path& path, const Target& to, std::span<const std::b
   temporary.renamed = true;
 }
 
+constexpr std::size_t first_bytes = 4096;
+constexpr std::size_t most_without_size = std::size_t{16} << 20;
+
+std::size_t memory_of_machine() {
+  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// Fills the bytes from `used` on, or as many of them as the file has. Returns how many are filled then.
+std::size_t read_until_full(const fs::path& path, int fd, std::vector<std::byte>& bytes, std::size_t used) {
+  while (used < bytes.size()) {
+    const ssize_t count = ::read(fd, bytes.data() + used, bytes.size() - used);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(EX_IOERR, "read", path, errno);
+    if (count == 0) break;
+    used += static_cast<std::size_t>(count);
+  }
+  return used;
+}
+
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes, OldFile old_file) {
@@ -274,24 +277,28 @@ void remove_file(const fs::path& path) {
   remove_stale_temporaries(folder_of(target), temporary_prefix(target));
 }
 
-std::vector<std::byte> read_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+std::vector<std::byte> read_file(const fs::path& path, const IsWanted& is_wanted) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) fail(EX_NOINPUT, "open", path, errno);
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) fail(EX_IOERR, "read", path, errno);
   if (S_ISDIR(status.st_mode)) fail(EX_NOINPUT, "read", path, EISDIR);
-  std::vector<std::byte> bytes;
-  std::size_t used = 0;
-  // One byte more than the file should have, so that its end is found without growing the buffer.
-  bytes.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536);
-  for (;;) {
-    if (used == bytes.size()) bytes.resize(bytes.size() * 2);
-    const ssize_t count = ::read(file.get(), bytes.data() + used, bytes.size() - used);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(EX_IOERR, "read", path, errno);
-    if (count == 0) break;
-    used += static_cast<std::size_t>(count);
+  const auto refuse = [&path](int code, std::string_view why) {
+    throw FileError(code, fmt::format("cannot read `{}`: {}", path.string(), why));
+  };
+  if (!S_ISREG(status.st_mode)) refuse(EX_NOINPUT, "it is not a regular file");
+  const auto stated = static_cast<std::size_t>(status.st_size);
+  if (stated > memory_of_machine()) refuse(EX_DATAERR, "it is larger than the memory of this machine");
+  // What /proc and /sys show has no size, and some of it no end.
+  const std::size_t most = stated > 0 ? stated : most_without_size;
+  std::vector<std::byte> bytes(std::min(most, first_bytes));
+  std::size_t used = read_until_full(path, file.get(), bytes, 0);
+  const bool goes_on = used == bytes.size() && (!is_wanted || is_wanted(bytes));
+  if (goes_on) {
+    bytes.resize(most);
+    used = read_until_full(path, file.get(), bytes, used);
   }
+  if (goes_on && stated == 0 && used == most) refuse(EX_DATAERR, "it has no size and does not end");
   bytes.resize(used);
   return bytes;
 }

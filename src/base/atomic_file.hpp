@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -48,7 +49,10 @@ std::filesystem::path previous_of(const std::filesystem::path& path);
 // Removes such a file, if there is one, and what killed runs left beside it. Throws FileError 73.
 void remove_file(const std::filesystem::path& path);
 
-// The content of the file `path`. Throws FileError: 66 when it cannot be opened, 74 when it cannot be read.
-std::vector<std::byte> read_file(const std::filesystem::path& path);
+// The content of the regular file `path`. If its first bytes, 4096 or all, are not wanted, only those are returned.
+// Throws FileError: 66 when it cannot be opened or is of another kind, 65 when it is larger than the memory, 74 when it
+// cannot be read.
+using IsWanted = std::function<bool(std::span<const std::byte>)>;
+std::vector<std::byte> read_file(const std::filesystem::path& path, const IsWanted& is_wanted = {});
 
 }  // namespace penumbra

@@ -70,7 +70,7 @@ Json from_library(const Library& value, int depth) {
 std::string dump(const Json& json, int indent, BadText bad_text) {
   try {
     return to_library(json).dump(
-        indent, ' ', false,
+        indent, ' ', true,
         bad_text == BadText::replaced ? Library::error_handler_t::replace : Library::error_handler_t::strict);
   } catch (const Library::exception& error) {
     throw std::invalid_argument(error.what());

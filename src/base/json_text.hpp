@@ -80,8 +80,8 @@ class Json {
 // How to treat a string that is not UTF-8, as JSON requires: replace the invalid bytes or throw.
 enum class BadText { replaced, refused };
 
-// The value as text, on several lines with an indentation of two, or on one line. Throws std::invalid_argument if a
-// string is refused.
+// The value as ASCII text, on several lines with an indentation of two, or on one line. Throws std::invalid_argument if
+// a string is refused.
 std::string to_text(const Json& json, BadText bad_text = BadText::replaced);
 std::string to_line(const Json& json);
 

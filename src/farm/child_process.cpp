@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/child_signals.hpp"
+
 namespace penumbra {
 namespace {
 
@@ -46,7 +48,7 @@ pid_t start(const std::vector<std::string>& words, posix_spawn_file_actions_t* a
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   pid_t pid = -1;
-  return ::posix_spawnp(&pid, argv.front(), actions, nullptr, argv.data(), environ) == 0 ? pid : -1;
+  return ::posix_spawnp(&pid, argv.front(), actions, ChildSignals().get(), argv.data(), environ) == 0 ? pid : -1;
 }
 
 int wait_for(pid_t pid) {

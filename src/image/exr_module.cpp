@@ -98,10 +98,17 @@ std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
   return {};
 }
 
-std::uint64_t bytes_per_pixel(const Imf::ChannelList& channels) {
-  std::uint64_t sum = 0;
+// What a pixel takes in the file, and how many values it has.
+struct PixelSize {
+  std::uint64_t bytes = 0, values = 0;
+};
+
+PixelSize pixel_size(const Imf::ChannelList& channels) {
+  PixelSize sum;
   for (auto i = channels.begin(); i != channels.end(); ++i) {
-    if (covers_pixels(&i.channel())) sum += i.channel().type == Imf::HALF ? 2 : 4;
+    if (!covers_pixels(&i.channel())) continue;
+    sum.bytes += i.channel().type == Imf::HALF ? 2 : 4;
+    sum.values++;
   }
   return sum;
 }
@@ -118,11 +125,12 @@ Imath::V2i checked_size(const Imf::Header& header, std::size_t file_bytes) {
   const Imath::Box2i& data = header.dataWindow();
   const std::int64_t width = std::int64_t{data.max.x} - data.min.x + 1;
   const std::int64_t height = std::int64_t{data.max.y} - data.min.y + 1;
+  const PixelSize pixel = pixel_size(header.channels());
   const std::uint64_t raw_bytes =
       !is_bounded(header.compression()) || width <= 0 || height <= 0
           ? 0
-          : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * bytes_per_pixel(header.channels());
-  if (!is_plausible_size(width, height, raw_bytes, file_bytes)) {
+          : static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * pixel.bytes;
+  if (!is_plausible_size(width, height, raw_bytes, std::max<std::uint64_t>(pixel.values, 3), file_bytes)) {
     throw std::runtime_error(fmt::format("it claims to have {} x {} pixels", width, height));
   }
   return {static_cast<int>(width), static_cast<int>(height)};

@@ -53,7 +53,7 @@ void try_to_write_image(const std::filesystem::path& path) {
 }
 
 ImageFile read_image(const std::filesystem::path& path) {
-  const std::vector<std::byte> bytes = read_file(path);
+  const std::vector<std::byte> bytes = read_file(path, [](auto start) { return is_png(start) || is_exr(start); });
   if (is_png(bytes)) return decode_png(bytes, path.string());
   if (is_exr(bytes)) return decode_exr(bytes, path.string());
   throw FileError(EX_DATAERR, fmt::format("`{}` is neither a PNG nor an EXR file", path.string()));

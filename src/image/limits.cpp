@@ -10,7 +10,7 @@
 namespace penumbra {
 
 void require_image_size(int width, int height, std::size_t value_count, int values_per_pixel) {
-  if (!is_plausible_size(width, height, 0, 0)) {
+  if (!is_possible_size(width, height)) {
     throw FileError(EX_SOFTWARE, fmt::format("cannot write a picture of {} x {} pixels", width, height));
   }
   if (value_count != static_cast<std::size_t>(std::int64_t{width} * height * values_per_pixel)) {

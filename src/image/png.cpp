@@ -263,7 +263,7 @@ ImageFile decode_png(std::span<const std::byte> bytes, const std::string& name) 
   const std::uint64_t raw_bits = std::uint64_t{png_get_bit_depth(reader.png, reader.info)} *
                                  png_get_channels(reader.png, reader.info) * static_cast<std::uint64_t>(width) *
                                  static_cast<std::uint64_t>(height);
-  if (!is_plausible_size(width, height, raw_bits / 8, bytes.size())) {
+  if (!is_plausible_size(width, height, raw_bits / 8, 3, bytes.size())) {
     throw damaged(fmt::format("it claims to have {} x {} pixels", width, height));
   }
 

@@ -21,7 +21,10 @@ double cosine(Vec3 a, Vec3 b) { return std::abs(dot(normalize(a), normalize(b)))
 
 void fov(Reading& reading, const Call& call) { reading.builder.change().camera.fov_degrees = call[0]; }
 
-void eye(Reading& reading, const Call& call) { reading.builder.change().camera.eye = call.vec(0); }
+void eye(Reading& reading, const Call& call) {
+  reading.builder.change().camera.eye = call.vec(0);
+  reading.note(Topic::camera, call);
+}
 
 void uvw(Reading& reading, const Call& call) {
   const Vec3 u = call.vec(0), v = call.vec(3), w = call.vec(6);
@@ -39,6 +42,7 @@ void uvw(Reading& reading, const Call& call) {
   camera.right = u;
   camera.up = v;
   camera.back = w;
+  reading.note(Topic::camera, call);
 }
 
 void lens(Reading& reading, const Call& call) {
@@ -50,6 +54,7 @@ void lens(Reading& reading, const Call& call) {
   camera.lens_radius = call[0];
   if (call[1] > 0) camera.focus_distance = call[1];
   camera.focal_length = camera.f_number = 0;
+  reading.note(Topic::lens, call);
 }
 
 void camera_lens(Reading& reading, const Call& call) {
@@ -67,6 +72,7 @@ void camera_lens(Reading& reading, const Call& call) {
   camera.focus_distance = focus;
   camera.focal_length = focal_length;
   camera.f_number = f_number;
+  reading.note(Topic::lens, call);
 }
 
 void shutter(Reading& reading, const Call& call) {
@@ -77,6 +83,11 @@ void shutter(Reading& reading, const Call& call) {
   Camera& camera = reading.builder.change().camera;
   camera.shutter_open = call[0];
   camera.shutter_close = call[1];
+}
+
+void rays_per_pixel(Reading& reading, const Call& call) {
+  set<&Settings::rays_per_pixel>(reading, call);
+  reading.note(Topic::rays, call);
 }
 
 void sampler(Reading& reading, const Call& call) {

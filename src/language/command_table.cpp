@@ -112,8 +112,7 @@ constexpr std::array table{
     Command{"shutter", camera, takes<shutter_open, shutter_close>, "the time during which the shutter is open; 0 1",
             actions::shutter},
 
-    Command{"rays_per_pixel", sampling, takes<rays>, "rays through each pixel; 1",
-            actions::set<&Settings::rays_per_pixel>},
+    Command{"rays_per_pixel", sampling, takes<rays>, "rays through each pixel; 1", actions::rays_per_pixel},
     Command{"sampler", sampling, takes<name>,
             "the pattern of the sample points: regular, random, jittered, multijittered, poisson, halton, sobol or "
             "bluenoise; sobol",

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/say.hpp"
+
 namespace penumbra {
 namespace {
 
@@ -27,49 +29,43 @@ std::string_view shortened(std::string_view text, std::size_t length) {
 
 constexpr std::string_view indent = "  ";
 
-bool is_control(char byte) {
-  const auto code = static_cast<unsigned char>(byte);
-  return (code < 0x20 && byte != '\t') || code == 0x7F;
-}
-
-// The line without control characters, which could move the cursor of a terminal.
-std::string printable(std::string line) {
-  std::replace_if(line.begin(), line.end(), is_control, '?');
-  return line;
-}
-
-// Spaces as wide as the text before the mark, then the mark. Tabs are kept, so that both lines are indented alike.
-std::string caret_line(const std::string& line, std::size_t column, std::size_t width) {
-  std::string caret;
-  for (std::size_t i = 0; i < column; i++) {
-    const char byte = i < line.size() ? line[i] : ' ';
-    if (!continues_character(byte)) caret += byte == '\t' ? '\t' : ' ';
+// A line, and below it the mark under the bytes from `column` on: tabs are kept, so that both are indented alike.
+std::string marked_line(std::string_view line, std::size_t column, std::size_t width) {
+  const std::string before = printable(line.substr(0, column));
+  const std::string marked = printable(line.substr(column, width));
+  const std::string after = printable(line.substr(std::min(column + width, line.size())));
+  std::string mark;
+  for (const char byte : before) {
+    if (!continues_character(byte)) mark += byte == '\t' ? '\t' : ' ';
   }
-  caret += '^';
-  for (std::size_t i = column + 1; i < std::min(column + width, line.size()); i++) {
-    if (!continues_character(line[i])) caret += '~';
-  }
-  return caret;
+  mark += '^';
+  const auto characters = marked.size() - static_cast<std::size_t>(std::ranges::count_if(marked, continues_character));
+  if (characters > 1) mark.append(characters - 1, '~');
+  return fmt::format("{0}{1}{2}{3}\n{0}{4}\n", indent, before, marked, after, mark);
 }
 
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file;
+  std::string text = printable(diagnostic.file);
   if (diagnostic.line > 0) text += fmt::format(":{}:{}", diagnostic.line, std::max(1, diagnostic.column));
   if (!text.empty()) text += ": ";
   text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
-  text += diagnostic.message;
+  text += printable(diagnostic.message);
   text += '\n';
-  const std::string line = printable(diagnostic.source_line);
+  const std::string& line = diagnostic.source_line;
   if (!line.empty()) {
-    text += fmt::format("{}{}\n", indent, line);
     const std::size_t column = diagnostic.column > 0 ? static_cast<std::size_t>(diagnostic.column) - 1 : 0;
     const std::size_t width = static_cast<std::size_t>(std::max(1, diagnostic.width));
-    if (column <= line.size()) text += fmt::format("{}{}\n", indent, caret_line(line, column, width));
+    text += column <= line.size() ? marked_line(line, column, width) : fmt::format("{}{}\n", indent, printable(line));
   }
-  if (!diagnostic.hint.empty()) text += fmt::format("{}{}\n", indent, diagnostic.hint);
+  if (!diagnostic.hint.empty()) text += fmt::format("{}{}\n", indent, printable(diagnostic.hint));
   return text;
+}
+
+Diagnostic warning_at(const Place& place, std::string message) {
+  return {Severity::warning, place.file,         place.line,        place.column,
+          place.width,       std::move(message), place.source_line, {}};
 }
 
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
@@ -91,14 +87,13 @@ SourcePlace place_of(std::uint32_t visit, const Line& line, std::string_view par
 
 std::string in_quotes(std::string_view word) {
   const std::string_view head = shortened(word, longest_quote);
-  std::string text = "`";
-  for (const char c : head) text += c == '\t' || is_control(c) ? '?' : c;
-  text += head.size() < word.size() ? "...`" : "`";
-  return text;
+  std::string text = printable(head);
+  std::replace(text.begin(), text.end(), '\t', '?');
+  return fmt::format("`{}{}`", text, head.size() < word.size() ? "..." : "");
 }
 
-std::uint32_t DiagnosticList::open(std::string file, const SourcePlace& by) {
-  visits_.push_back({std::move(file), by.visit, by.line, by.column});
+std::uint32_t DiagnosticList::open(std::string file, const SourcePlace& by, bool is_secret) {
+  visits_.push_back({std::move(file), by.visit, by.line, by.column, is_secret});
   return static_cast<std::uint32_t>(visits_.size() - 1);
 }
 
@@ -124,6 +119,16 @@ std::vector<std::int64_t> DiagnosticList::path_to(const SourcePlace& place) cons
   return path;
 }
 
+Diagnostic DiagnosticList::told(const Finding& finding) const {
+  const SourcePlace& place = finding.place;
+  if (visits_[place.visit].is_secret) {
+    const std::string why = "this is no scene without errors; not everybody may read it, so its lines are not shown";
+    return {finding.severity, file_of(place), 0, 0, 1, why, {}, {}};
+  }
+  return {finding.severity, file_of(place),  place.line,        place.column,
+          place.width,      finding.message, place.source_line, finding.hint};
+}
+
 std::vector<Diagnostic> DiagnosticList::take() {
   std::vector<std::pair<std::vector<std::int64_t>, const Finding*>> sorted;
   for (const Finding& finding : findings_) sorted.emplace_back(path_to(finding.place), &finding);
@@ -131,10 +136,7 @@ std::vector<Diagnostic> DiagnosticList::take() {
 
   std::vector<Diagnostic> list;
   for (const auto& [path, found] : sorted) {
-    const Finding& finding = *found;
-    const SourcePlace& place = finding.place;
-    const Diagnostic diagnostic{finding.severity, file_of(place),  place.line,        place.column,
-                                place.width,      finding.message, place.source_line, finding.hint};
+    const Diagnostic diagnostic = told(*found);
     const auto same = [&](const Diagnostic& d) {
       return d.file == diagnostic.file && d.line == diagnostic.line && d.column == diagnostic.column &&
              d.message == diagnostic.message;

@@ -25,6 +25,15 @@ struct Diagnostic {
   std::string hint;         // "did you mean `sphere`?"; empty for none
 };
 
+// A place that a later message can point to, by names that the user knows.
+struct Place {
+  std::string file;
+  int line = 0, column = 0, width = 1;
+  std::string source_line;
+};
+
+Diagnostic warning_at(const Place& place, std::string message);
+
 // file:line:col: error: message / the line / the caret / the hint, with a final newline.
 std::string to_string(const Diagnostic& diagnostic);
 
@@ -45,7 +54,8 @@ class DiagnosticList {
   static constexpr int most_warnings = 50;
 
   // Registers a file that the command at `by` opens (ignored for the first file); returns the number of this visit.
-  std::uint32_t open(std::string file, const SourcePlace& by);
+  // What is found in a secret file is not told, only that something is.
+  std::uint32_t open(std::string file, const SourcePlace& by, bool is_secret = false);
 
   // Adds a finding; beyond most_errors or most_warnings, only counts it.
   void error(const SourcePlace& place, std::string message, std::string hint = {});
@@ -55,6 +65,9 @@ class DiagnosticList {
   // More errors have been found than are reported: reading can stop.
   bool is_full() const { return errors_ > most_errors; }
   const std::string& file_of(const SourcePlace& place) const { return visits_[place.visit].file; }
+  Place known(const SourcePlace& place) const {
+    return {file_of(place), place.line, place.column, place.width, place.source_line};
+  }
 
   // All findings in order, none twice.
   std::vector<Diagnostic> take();
@@ -64,6 +77,7 @@ class DiagnosticList {
     std::string file;
     std::uint32_t parent;
     int line, column;  // in the parent
+    bool is_secret;
   };
   struct Finding {
     SourcePlace place;
@@ -71,6 +85,7 @@ class DiagnosticList {
     std::string message, hint;
   };
 
+  Diagnostic told(const Finding& finding) const;
   std::vector<std::int64_t> path_to(const SourcePlace& place) const;
   void add(const SourcePlace& place, Severity severity, std::string message, std::string hint);
 

@@ -1,7 +1,7 @@
 #include "language/file_bytes.hpp"
 
 #include <fcntl.h>
-#include <sys/mman.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,7 +17,6 @@ namespace penumbra {
 namespace {
 
 constexpr std::size_t smallest_mapped = std::size_t{16} << 20;
-constexpr std::size_t release_step = std::size_t{16} << 20;
 constexpr std::size_t most_names = 10'000;  // of a folder, when a near one is looked for
 
 // Closes a descriptor at the end of a scope.
@@ -46,7 +45,13 @@ std::string read_all(int descriptor, std::uint64_t size, std::size_t expected, i
   return text;
 }
 
-LoadedFile failure(std::string problem) { return {{}, {}, std::move(problem), {}}; }
+std::string too_large(std::uint64_t most) { return fmt::format("it has more than {} bytes", most); }
+
+LoadedFile failure(std::string problem) {
+  LoadedFile failed;
+  failed.problem = std::move(problem);
+  return failed;
+}
 
 // The name of the file in the folder of `path` that was probably meant; empty if none is near.
 std::string near_file(const std::filesystem::path& path) {
@@ -59,6 +64,11 @@ std::string near_file(const std::filesystem::path& path) {
   }
   std::sort(names.begin(), names.end());
   return std::string(nearest_word(path.filename().string(), {names.begin(), names.end()}));
+}
+
+bool is_named_for_scenes(const std::filesystem::path& path) {
+  const std::filesystem::path ending = path.extension();
+  return ending == ".cli" || ending == ".obj" || ending == ".ply";
 }
 
 LoadedFile load(const std::filesystem::path& path, bool may_map) {
@@ -74,16 +84,15 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
   if (S_ISDIR(status.st_mode)) return failure("it is a folder");
   if (!S_ISREG(status.st_mode)) return failure("it is not a regular file");
 
+  if (static_cast<std::uint64_t>(status.st_size) > most_bytes_read) return failure(too_large(most_bytes_read));
+
   LoadedFile loaded;
+  loaded.is_secret = (status.st_mode & S_IROTH) == 0 && !is_named_for_scenes(path);
   loaded.identity = std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
   const auto size = static_cast<std::size_t>(status.st_size);
   if (may_map && size >= smallest_mapped) {
-    void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
-    if (address != MAP_FAILED) {
-      ::madvise(address, size, MADV_SEQUENTIAL);
-      loaded.bytes = FileBytes(address, size);
-      return loaded;
-    }
+    loaded.bytes = FileBytes(MappedFile(file.number, size));
+    if (!loaded.bytes.view().empty()) return loaded;
   }
   int error_code = 0;
   loaded.bytes = FileBytes(read_all(file.number, size, size, error_code));
@@ -93,22 +102,17 @@ LoadedFile load(const std::filesystem::path& path, bool may_map) {
 
 }  // namespace
 
-void FileBytes::Unmap::operator()(char* address) const { ::munmap(address, size); }
-
-void FileBytes::release_before(std::size_t offset) {
-  if (!mapped_ || offset < released_ + release_step) return;
-  const std::size_t bytes = (offset - released_) / release_step * release_step;
-  ::madvise(mapped_.get() + released_, bytes, MADV_DONTNEED);
-  released_ += bytes;
-}
-
 LoadedFile load_from_disk(const std::filesystem::path& path) { return load(path, true); }
 LoadedFile load_copy_from_disk(const std::filesystem::path& path) { return load(path, false); }
 
-LoadedFile load_standard_input(std::uint64_t most) {
+LoadedFile load_standard_input() {
+  struct stat status {};
+  const bool is_device = ::fstat(STDIN_FILENO, &status) == 0 && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode));
+  if (is_device && ::isatty(STDIN_FILENO) == 0) return failure("standard input is a device");
   static int error_code = 0;
-  static const std::string text = read_all(STDIN_FILENO, most + 1, 65'536, error_code);
+  static const std::string text = read_all(STDIN_FILENO, most_bytes_from_pipe + 1, 65'536, error_code);
   if (error_code != 0) return failure(system_message(error_code));
+  if (text.size() > most_bytes_from_pipe) return failure(too_large(most_bytes_from_pipe));
   LoadedFile loaded;
   loaded.bytes = FileBytes(text);
   return loaded;

@@ -5,6 +5,7 @@
 namespace penumbra::actions {
 
 void moving_object(Reading& reading, const Call& call) {
+  reading.note(Topic::motion, call);
   reading.report(call.place(), reading.builder.move_last(call.vec(0)));
 }
 

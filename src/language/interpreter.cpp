@@ -7,6 +7,7 @@
 #include "language/near_word.hpp"
 #include "language/number.hpp"
 #include "language/reading.hpp"
+#include "language/slips.hpp"
 
 namespace penumbra {
 namespace {
@@ -149,13 +150,21 @@ bool has_open_word(Reading& reading, const Line& line, std::uint32_t visit, cons
   return false;
 }
 
+// The polygon whose line is wrong is left out, so that its other lines are not blamed.
+void leave_polygon_out(Reading& reading, const Command& command) {
+  if (command.action != actions::begin && command.action != actions::vertex) return;
+  if (reading.builder.in_polygon()) reading.builder.triangles().abandon_polygon();
+  reading.stray_vertex = true;
+}
+
 void run_command(Reading& reading, const Command& command, const Line& line, std::uint32_t visit, const Words& words) {
   const Form& first = command.forms.front();
   const bool numeric = first.count() > 0 && first.argument[0].is_number();
+  if (has_foreign_sign(reading, line, visit, words, &command)) return leave_polygon_out(reading, command);
   if (has_open_word(reading, line, visit, words, numeric ? '{' : '"')) return;
   const Form* const form = form_with(command, words.count - 1);
   if (form == nullptr) {
-    if (command.action == actions::begin) reading.stray_vertex = true;  // its vertices are not to blame
+    if (command.action == actions::begin) leave_polygon_out(reading, command);
     return wrong_count(reading, command, line, visit, words);
   }
   Call call{.command = command, .form = *form, .visit = visit, .line = line, .words = words};
@@ -171,7 +180,9 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
                   command.name, reading.builder.polygon_place().line);
     right = false;
   }
-  if (right) command.action(reading, call);
+  if (!right) return;
+  warn_of_byte_colors(reading, call);
+  command.action(reading, call);
 }
 
 // Remembers the first object after the last picture so far: unless another follows, no picture shows it.
@@ -193,7 +204,7 @@ void interpret_line(Reading& reading, std::uint32_t visit, const Line& line) {
     run_command(reading, *command, line, visit, words);
     reading.commands++;
     watch_objects(reading, visit, line, words);
-  } else {
+  } else if (!has_foreign_sign(reading, line, visit, words, nullptr)) {
     unknown_command(reading, place_of(visit, line, name), name);
   }
 }
@@ -210,7 +221,7 @@ void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit) {
   TriangleBuilder& triangles = reading.builder.triangles();
   const ReadProgress outer = triangles.progress();
   triangles.start_file({0, text.size()});
-  while (!reading.diagnostics.is_full() && cursor.next(line)) {
+  while (!reading.diagnostics.is_full() && cursor.next(line) && !bytes.has_gap()) {
     interpret_line(reading, visit, line);
     const std::size_t done = text.size() - cursor.remaining();
     triangles.progress().done = done;

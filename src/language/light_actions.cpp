@@ -30,6 +30,7 @@ void light_of_2018(Reading& reading, const Call& call) {
 void disk_light(Reading& reading, const Call& call) {
   if (!has_direction(reading, call, 4)) return;
   reading.builder.change().lights.emplace_back(DiskLight{call.vec(0), call[3], call.vec(4), call.vec(7)});
+  if (call[3] > 0) reading.note(Topic::area_light, call);
 }
 
 void quad_light(Reading& reading, const Call& call) {
@@ -37,6 +38,7 @@ void quad_light(Reading& reading, const Call& call) {
     return reading.error(call.place_of_argument(3), "the two half edges of `quad_light` lie on one line");
   }
   reading.builder.change().lights.emplace_back(QuadLight{call.vec(0), call.vec(3), call.vec(6), call.vec(9)});
+  reading.note(Topic::area_light, call);
 }
 
 void spotlight(Reading& reading, const Call& call) {

@@ -3,16 +3,21 @@
 #include <filesystem>
 
 #include "language/actions.hpp"
+#include "language/path_boundary.hpp"
 
 namespace penumbra::actions {
 namespace {
 
-void take_picture(Reading& reading, const Call& call, std::string file) {
-  const Problem wrong = reading.builder.add_picture(std::move(file));
-  if (!wrong.empty()) return reading.diagnostics.error(call.place(), wrong);
+void take_picture_here(Reading& reading, const Call& call, std::string_view file) {
+  take_picture(reading, std::string(file), call.place());
   reading.objects_in_pictures = reading.builder.tree().objects_added();
   reading.after_pictures.reset();
-  warn_of_empty_picture(reading, call.place());
+}
+
+bool has_ending(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() &&
+         std::ranges::equal(name.substr(name.size() - ending.size()), ending, {},
+                            [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
 }
 
 }  // namespace
@@ -32,16 +37,28 @@ void image_size(Reading& reading, const Call& call) {
 
 void write(Reading& reading, const Call& call) {
   const std::string name(call.name(0));
+  if (!has_ending(name, ".png") && !has_ending(name, ".exr")) {
+    const std::string message =
+        fmt::format("the name of a picture has to end in .png or .exr; found {}", in_quotes(name));
+    if (!reading.options.lenient) return reading.diagnostics.error(call.place_of_argument(0), message);
+    reading.diagnostics.warning(call.place_of_argument(0), message);
+  }
+  if (!reading.options.allow_paths && !is_in_reach(name, reading.open_files.front().path)) {
+    return reading.error(call.place_of_argument(0),
+                         "cannot write {}: it is outside the working folder and the folder of the scene; --allow-paths "
+                         "allows that",
+                         in_quotes(name));
+  }
   const std::string normal = std::filesystem::path(name).lexically_normal().string();
   const auto [first, is_new] = reading.written.try_emplace(normal, call.place());
   if (!is_new) {
     return reading.error(call.place_of_argument(0), "{} is written at {}:{} already, and this picture would replace it",
                          in_quotes(name), reading.diagnostics.file_of(first->second), first->second.line);
   }
-  take_picture(reading, call, name);
+  take_picture_here(reading, call, name);
 }
 
-void render(Reading& reading, const Call& call) { take_picture(reading, call, {}); }
+void render(Reading& reading, const Call& call) { take_picture_here(reading, call, {}); }
 
 void read(Reading& reading, const Call& call) {
   if (reading.open_files.size() >= reading.limits.open_files) {
@@ -58,9 +75,10 @@ void read(Reading& reading, const Call& call) {
         itself ? std::string("this file reads itself")
                : fmt::format("this file reads itself again, by way of `{}`", reading.open_files.back().path.string()));
   }
-  const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place());
+  const std::uint32_t visit = reading.diagnostics.open(file->path.string(), call.place(), file->loaded.is_secret);
   reading.open_files.push_back({file->path, file->loaded.identity, visit});
   interpret_text(reading, file->loaded.bytes, visit);
+  if (file->loaded.bytes.has_shrunk()) reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);
   reading.open_files.pop_back();
 }
 

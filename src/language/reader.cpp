@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "language/near_word.hpp"
+#include "language/path_boundary.hpp"
 #include "language/reading.hpp"
 #include "language/scene_file.hpp"
 
@@ -35,13 +36,14 @@ void remember_file(Reading& reading, const std::filesystem::path& path) {
 }
 
 void read_first_file(Reading& reading, const std::filesystem::path& path, LoadedFile file) {
-  const std::uint32_t visit = reading.diagnostics.open(path.string(), {});
+  const std::uint32_t visit = reading.diagnostics.open(path.string(), {}, file.is_secret);
   remember_file(reading, path);
   if (const Problem wrong = count_file(reading, file.bytes.view().size()); !wrong.empty()) {
     return reading.diagnostics.error(whole_file(visit), wrong);
   }
   reading.open_files.push_back({path, file.identity, visit});
   interpret_text(reading, file.bytes, visit);
+  if (file.bytes.has_shrunk()) reading.diagnostics.error(whole_file(visit), file_has_shrunk);
   if (!reading.diagnostics.is_full()) finish_reading(reading);
 }
 
@@ -124,11 +126,16 @@ void finish_reading(Reading& reading) {
   report_unused(reading);
   report_order_of_2018(reading);
   if (reading.builder.pictures() > 0) return;
-  reading.builder.add_picture({});
-  warn_of_empty_picture(reading, whole_file(0));
+  take_picture(reading, {}, whole_file(0));
 }
 
-void warn_of_empty_picture(Reading& reading, const SourcePlace& place) {
+void take_picture(Reading& reading, std::string file, const SourcePlace& place) {
+  TopicPlaces places;
+  for (std::size_t i = 0; i < places.size(); i++) {
+    if (reading.topics[i]) places[i] = reading.diagnostics.known(*reading.topics[i]);
+  }
+  places[static_cast<std::size_t>(Topic::picture)] = reading.diagnostics.known(place);
+  reading.report(place, reading.builder.add_picture(std::move(file), std::move(places)));
   if (reading.diagnostics.has_error()) return;  // what is missing may be what has the error
   const Picture& picture = reading.builder.last_picture();
   const bool has_objects = reading.builder.tree().objects_to_copy() > 0;
@@ -168,8 +175,13 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   ContentHasher hasher;
   std::vector<ReadContent> contents;
   const auto load = [&, is_first = true](const std::filesystem::path& file) mutable {
-    LoadedFile loaded =
-        std::exchange(is_first, false) && is_pipe ? load_standard_input(Limits().bytes) : load_file(file);
+    const bool is_scene = std::exchange(is_first, false);
+    if (!is_scene && !options.allow_paths && !is_beside_scene(file, is_pipe ? "stdin" : path)) {
+      LoadedFile refused;
+      refused.problem = "it is outside the folder of the scene; --allow-paths allows that";
+      return refused;
+    }
+    LoadedFile loaded = is_scene && is_pipe ? load_standard_input() : load_file(file);
     if (options.hash) {
       const auto bytes = std::as_bytes(std::span(loaded.bytes.view()));
       hasher.add(bytes);

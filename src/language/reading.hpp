@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -67,6 +68,7 @@ struct Reading {
   std::uint64_t bytes = 0;
 
   std::map<std::string, SourcePlace> written;  // where each file was named by `write`, by its path in normal form
+  std::array<std::optional<SourcePlace>, topic_count> topics;  // where the scene spoke of each last
 
   bool varies = false;                        // an expression was read
   bool stray_vertex = false;                  // a `vertex` outside a polygon was reported; the next ones are not
@@ -78,6 +80,8 @@ struct Reading {
   void error(const SourcePlace& place, fmt::format_string<Values...> sentence, Values&&... values) {
     diagnostics.error(place, fmt::format(sentence, std::forward<Values>(values)...));
   }
+  // Remembers that a command speaks of a topic.
+  void note(Topic topic, const Call& call) { topics[static_cast<std::size_t>(topic)] = call.place(); }
   void report(const SourcePlace& place, const Problem& problem) {
     if (!problem.empty()) diagnostics.error(place, problem);
   }
@@ -96,8 +100,8 @@ void interpret_line(Reading& reading, std::uint32_t visit, const Line& line);
 // Executes all lines of an open file.
 void interpret_text(Reading& reading, FileBytes& bytes, std::uint32_t visit);
 
-// Warns if the last picture taken has no object or no light.
-void warn_of_empty_picture(Reading& reading, const SourcePlace& place);
+// Takes a picture of the scene as it stands. Warns if it has no object or no light.
+void take_picture(Reading& reading, std::string file, const SourcePlace& place);
 
 // Reports what is missing or odd once everything is read, and takes a picture if the scene asks for none.
 void finish_reading(Reading& reading);

@@ -178,13 +178,13 @@ Problem SceneBuilder::move_last(Vec3 motion) {
   return {};
 }
 
-Problem SceneBuilder::add_picture(std::string file) {
+Problem SceneBuilder::add_picture(std::string file, TopicPlaces places) {
   if (waiting_.empty() && pictures_ > 0 && copied_ + size_of_copy() > limits_.copies) {
     return "too many pictures of too many objects in one file";
   }
   last_picture_ = actions_.size();
   waiting_.push_back(last_picture_);
-  actions_.emplace_back(Picture{std::move(file), nullptr, std::move(rects_)});
+  actions_.emplace_back(Picture{std::move(file), nullptr, std::move(rects_), std::move(places)});
   rects_.clear();
   pictures_++;
   return {};

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "language/file_bytes.hpp"
 #include "language/object_tree.hpp"
 #include "language/scene_file.hpp"
 #include "language/triangle_builder.hpp"
@@ -19,12 +20,12 @@ using Problem = std::string;
 
 // Limits that keep any input, however contrived, from exhausting the machine.
 struct Limits {
-  std::size_t open_files = 64;                   // open at once, each read by the one before
-  std::size_t reads = 65'536;                    // files opened in total
-  std::uint64_t bytes = std::uint64_t{4} << 30;  // read in total
-  std::size_t copies = std::size_t{1} << 23;     // objects, lights and the like copied for pictures, in total
-  std::size_t pushes = 4'096;                    // `push` still without its `pop`
-  int nesting = 64;                              // levels of groups and instances
+  std::size_t open_files = 64;                // open at once, each read by the one before
+  std::size_t reads = 65'536;                 // files opened in total
+  std::uint64_t bytes = most_bytes_read;      // read in total
+  std::size_t copies = std::size_t{1} << 23;  // objects, lights and the like copied for pictures, in total
+  std::size_t pushes = 4'096;                 // `push` still without its `pop`
+  int nesting = 64;                           // levels of groups and instances
 };
 
 class SceneBuilder {
@@ -71,7 +72,7 @@ class SceneBuilder {
   const ObjectTree& tree() const { return tree_; }
 
   // Pictures, timers and painted rectangles.
-  Problem add_picture(std::string file);
+  Problem add_picture(std::string file, TopicPlaces places);
   void add_timer(const Action& action) { actions_.push_back(action); }
   void set_paint(Color color) { paint_ = color; }
   void add_rect(int x0, int y0, int x1, int y1) { rects_.push_back({x0, y0, x1, y1, paint_}); }

@@ -2,8 +2,11 @@
 // as it stood at that line.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,11 +24,26 @@ struct PaintedRect {
   Color color{1, 1, 1};
 };
 
+// What warnings about a picture speak of.
+enum class Topic : std::uint8_t { picture, rays, camera, lens, area_light, gloss, motion };
+inline constexpr std::size_t topic_count = 7;
+
+// Where the scene speaks of each last, before the picture is taken.
+using TopicPlaces = std::array<std::optional<Place>, topic_count>;
+
 // `render`, `write FILE`, or the end of a file that has neither.
 struct Picture {
   std::string file;  // as written in the scene; empty if it names none
   std::shared_ptr<const Scene> scene;
   std::vector<PaintedRect> rects;
+  TopicPlaces places;
+
+  bool speaks_of(Topic topic) const { return places[static_cast<std::size_t>(topic)].has_value(); }
+  // Where it does; else, where the picture is taken.
+  Place place_of(Topic topic) const {
+    return speaks_of(topic) || topic == Topic::picture ? places[static_cast<std::size_t>(topic)].value_or(Place())
+                                                       : place_of(Topic::picture);
+  }
 };
 struct ResetTimer {};
 struct PrintTimer {};
@@ -58,6 +76,7 @@ struct Moment {
 struct ReadOptions {
   Course course = Course::off;  // if not off, it wins over the scene's own `course`
   bool lenient = false;         // commands that only other programs know are skipped with a warning
+  bool allow_paths = false;     // the scene may name files anywhere (path_boundary.hpp)
   bool hash = false;            // compute the hash of the files
   bool edited = false;          // the files may be rewritten meanwhile: large ones are copied, not mapped
   Moment moment = {};

@@ -89,7 +89,10 @@ void sphere_of_2018(Reading& reading, const Call& call) {
   add_sphere(reading, call, call[3], call.vec(0), call.vec(0));
 }
 
-void moving_sphere(Reading& reading, const Call& call) { add_sphere(reading, call, call[0], call.vec(1), call.vec(4)); }
+void moving_sphere(Reading& reading, const Call& call) {
+  reading.note(Topic::motion, call);
+  add_sphere(reading, call, call[0], call.vec(1), call.vec(4));
+}
 
 void box(Reading& reading, const Call& call) {
   if (reading.course == Course::off) return add_box(reading, call, call.vec(0), call.vec(3));
@@ -131,9 +134,12 @@ void mesh(Reading& reading, const Call& call) {
   const std::size_t first_normal_number = store.normal_numbers.size();
   const std::optional<MeshError> error =
       read_mesh(file->path, file->loaded.bytes, MeshStore(store, builder.matrix(), flat));
+  if (file->loaded.bytes.has_shrunk()) {
+    return reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);
+  }
   if (!error) return reading.report(call.place(), builder.add_mesh(first, first_normal_number));
   SourcePlace place = error->place;
-  place.visit = reading.diagnostics.open(file->path.string(), call.place());
+  place.visit = reading.diagnostics.open(file->path.string(), call.place(), file->loaded.is_secret);
   reading.diagnostics.error(place, error->message);
 }
 

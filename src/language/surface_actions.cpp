@@ -94,6 +94,7 @@ void glossy(Reading& reading, const Call& call) {
   Surface& surface = replace(reading, plain(call));
   add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
+  if (call[8] > 0) reading.note(Topic::gloss, call);
 }
 
 void translucent(Reading& reading, const Call& call) {
@@ -104,6 +105,7 @@ void translucent(Reading& reading, const Call& call) {
   surface.transmission = call[9];
   surface.refraction_index = call[10];
   surface.blur_radius = call[11];
+  if (call[8] > 0 || call[11] > 0) reading.note(Topic::gloss, call);
 }
 
 void noise(Reading& reading, const Call& call) {

@@ -9,6 +9,7 @@
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
+#include "picture/scene_traits.hpp"
 
 namespace penumbra::option_rows {
 namespace {
@@ -57,6 +58,9 @@ PictureOption shutter() {
     if (options.shutter) std::tie(scene.camera.shutter_open, scene.camera.shutter_close) = *options.shutter;
   };
   row.lines = shutter_lines;
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.shutter && !has_motion(scene) ? "nothing moves" : "");
+  };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double open = scene.camera.shutter_open, close = scene.camera.shutter_close;
     return {{"shutter opens", Knob::Kind::real, open, -farthest_time, farthest_time,
@@ -77,6 +81,9 @@ PictureOption time() {
     if (options.time) scene.camera.shutter_open = scene.camera.shutter_close = *options.time;
   };
   row.lines = no_lines;  // --shutter has them
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.time && !has_motion(scene) ? "nothing moves" : "");
+  };
   return row;
 }
 
@@ -148,6 +155,10 @@ PictureOption lens_model() {
     return options.lens_model == LensModel::thin ? std::string() : std::string(lens_model_names[1]);
   };
   row.apply = [](Scene& scene, const Options& options) { scene.settings.lens_model = options.lens_model; };
+  row.idle = [](const Scene& scene, const Options& options) {
+    const bool is_idle = options.lens_model != LensModel::thin && !has_lens(with_options(scene, options));
+    return std::string(is_idle ? "there is no lens" : "");
+  };
   return row;
 }
 

@@ -1,5 +1,7 @@
 #include "picture/option_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/version.hpp"
@@ -45,6 +47,15 @@ std::string parse_option(const PictureOption& option, PictureOptions& options, s
     text.remove_prefix(comma + 1);
   }
   return option.parse(options, text);
+}
+
+std::vector<std::string> idle_options(const Scene& scene, const PictureOptions& options) {
+  std::vector<std::string> sentences;
+  for (const PictureOption& row : option_table()) {
+    const std::string why = row.idle != nullptr ? row.idle(scene, options) : std::string();
+    if (!why.empty()) sentences.push_back(fmt::format("--{} changes nothing: {}", row.name, why));
+  }
+  return sentences;
 }
 
 Metadata metadata_for(const std::filesystem::path& file, const Scene& scene, const PictureOptions& options) {

@@ -51,6 +51,8 @@ struct PictureOption {
   std::string (*words)(const PictureOptions& options, const Settings& settings) = nullptr;
   // Applies it to the scene; null: nothing to do.
   void (*apply)(Scene& scene, const PictureOptions& options) = nullptr;
+  // Why it changes nothing in the scene, if it is given; empty if it may change something. Null: it always does.
+  std::string (*idle)(const Scene& scene, const PictureOptions& options) = nullptr;
   // The lines of the scene language that turn `before` into `after`; null: `command` and the words.
   std::string (*lines)(const Scene& before, const Scene& after) = nullptr;
   // The knobs of the window; null: none. With `each_side`, each half of a split view has its own.
@@ -66,6 +68,9 @@ const PictureOption& option_named(std::string_view name);
 
 // Parses and stores a whole text: all values of a list.
 std::string parse_option(const PictureOption& option, PictureOptions& options, std::string_view text);
+
+// A sentence for each option that is given and changes nothing in the scene.
+std::vector<std::string> idle_options(const Scene& scene, const PictureOptions& options);
 
 // What a picture file records about its making: everything needed to repeat it, and nothing else; never time, host,
 // threads or instruction set. For the picture of a scene that with_options returned, read from `file`. Every key except

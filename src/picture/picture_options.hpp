@@ -61,8 +61,9 @@ struct PictureOptions {
   Course course = Course::off;         // off: the scene's own
   std::optional<Highlight> highlight;  // of surfaces that leave it open
   bool lenient = false;
-  Layers layers;  // besides the colour, in an EXR
-  int bits = 8;   // per channel in a PNG
+  bool allow_paths = false;  // the scene may name files anywhere
+  Layers layers;             // besides the colour, in an EXR
+  int bits = 8;              // per channel in a PNG
 
   SampleCounts sample_counts() const { return noise ? SampleCounts::per_pixel : SampleCounts::uniform; }
   // The frame that is rendered; none for a still picture.

@@ -1,9 +1,11 @@
 // Options of size, rays and samples: the settings of scene/settings.hpp, and when a pixel has enough rays.
+#include <algorithm>
 #include <tuple>
 
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
 #include "picture/scene_lines.hpp"
+#include "picture/scene_traits.hpp"
 #include "rendering/adaptive_rules.hpp"
 
 namespace penumbra::option_rows {
@@ -45,6 +47,12 @@ PictureOption flag(std::string_view name, std::string help) {
     if (options.*asked) scene.settings.*setting = then;
   };
   return row;
+}
+
+// Why something about random numbers changes nothing; empty if there are some.
+std::string why_not_random(const Scene& scene, const Options& options) {
+  const bool random = is_random(with_options(scene, options));
+  return random ? "" : "nothing is random with one ray per pixel and without soft effects";
 }
 
 }  // namespace
@@ -97,6 +105,9 @@ PictureOption sampler() {
     if (options.course != Course::off) scene.settings.pattern = Pattern::random;
     if (options.sampler) scene.settings.pattern = *options.sampler;
   };
+  row.idle = [](const Scene& scene, const Options& options) {
+    return options.sampler ? why_not_random(scene, options) : std::string();
+  };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const int now = static_cast<int>(scene.settings.pattern);
     return {{"sampler", Knob::Kind::choice, static_cast<double>(now), 0, 0,
@@ -110,6 +121,9 @@ PictureOption sampler() {
 PictureOption seed() {
   PictureOption row = whole_number<&Options::seed, &Settings::seed, 0, 0xffffffff, true>(
       "seed", "Seed of the sample pattern [the scene's, else 0]", "seed n");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return options.seed ? why_not_random(scene, options) : std::string();
+  };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     return {{"seed", Knob::Kind::whole, static_cast<double>(scene.settings.seed), 0, 0xffffffff,
              [](Options& options, double value) { options.seed = static_cast<std::uint32_t>(value); }}};
@@ -120,6 +134,10 @@ PictureOption seed() {
 PictureOption max_depth() {
   PictureOption row = whole_number<&Options::max_depth, &Settings::max_depth, 0, most_depth, true>(
       "max-depth", "Depth at which no further rays are sent [the scene's, else 8]", "max_depth n");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(
+        options.max_depth && !reflects(scene) && !transmits(scene) ? "no surface reflects or transmits light" : "");
+  };
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     return {{"max depth", Knob::Kind::slider, static_cast<double>(scene.settings.max_depth), 0, 20,
              [](Options& options, double value) { options.max_depth = static_cast<int>(value); }}};
@@ -128,18 +146,31 @@ PictureOption max_depth() {
 }
 
 PictureOption reflection_rays() {
-  return whole_number<&Options::reflection_rays, &Settings::reflection_rays, 1, most_hit_rays, false>(
+  PictureOption row = whole_number<&Options::reflection_rays, &Settings::reflection_rays, 1, most_hit_rays, false>(
       "reflection-rays", "Reflected rays per hit of an eye ray [the scene's, else 1]", "reflection_rays n");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.reflection_rays && !reflects(scene) ? "no surface reflects" : "");
+  };
+  return row;
 }
 
 PictureOption transmission_rays() {
-  return whole_number<&Options::transmission_rays, &Settings::transmission_rays, 1, most_hit_rays, false>(
+  PictureOption row = whole_number<&Options::transmission_rays, &Settings::transmission_rays, 1, most_hit_rays, false>(
       "transmission-rays", "Transmitted rays per hit of an eye ray [the scene's, else 1]", "transmission_rays n");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.transmission_rays && !transmits(scene) ? "no surface transmits light" : "");
+  };
+  return row;
 }
 
 PictureOption shadow_rays() {
-  return whole_number<&Options::shadow_rays, &Settings::shadow_rays, 1, most_hit_rays, false>(
+  PictureOption row = whole_number<&Options::shadow_rays, &Settings::shadow_rays, 1, most_hit_rays, false>(
       "shadow-rays", "Shadow rays to each area light per hit of an eye ray [the scene's, else 1]", "shadow_rays n");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.shadow_rays && !has_area_light(with_options(scene, options)) ? "no light has an area"
+                                                                                            : "");
+  };
+  return row;
 }
 
 PictureOption sampler_light() {
@@ -153,6 +184,10 @@ PictureOption sampler_light() {
     return std::string(options.regular_lights ? "regular" : "");
   };
   row.apply = [](Scene& scene, const Options& options) { scene.settings.regular_lights |= options.regular_lights; };
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.regular_lights && !has_area_light(with_options(scene, options)) ? "no light has an area"
+                                                                                               : "");
+  };
   return row;
 }
 
@@ -225,6 +260,12 @@ PictureOption highlight() {
     }
   };
   row.lines = highlight_lines;
+  row.idle = [](const Scene& scene, const Options& options) {
+    const auto leaves_it_open = [](const Surface& s) { return s.open_highlight && s.specular != Color{}; };
+    const bool is_idle =
+        options.highlight && std::none_of(scene.surfaces.begin(), scene.surfaces.end(), leaves_it_open);
+    return std::string(is_idle ? "no surface leaves its highlight open" : "");
+  };
   return row;
 }
 
@@ -233,12 +274,22 @@ PictureOption lenient() {
 }
 
 PictureOption no_shadows() {
-  return flag<&Options::no_shadows, &Settings::shadows, false>("no-shadows", "Every light reaches every surface [off]");
+  PictureOption row =
+      flag<&Options::no_shadows, &Settings::shadows, false>("no-shadows", "Every light reaches every surface [off]");
+  row.idle = [](const Scene& scene, const Options& options) {
+    return std::string(options.no_shadows && scene.lights.empty() ? "there is no light" : "");
+  };
+  return row;
 }
 
 PictureOption transparent_shadows() {
-  return flag<&Options::transparent_shadows, &Settings::transparent_shadows, true>(
+  PictureOption row = flag<&Options::transparent_shadows, &Settings::transparent_shadows, true>(
       "transparent-shadows", "Shadow rays pass translucent surfaces, multiplied by k_trans at each [off]");
+  row.idle = [](const Scene& scene, const Options& options) {
+    const bool is_idle = options.transparent_shadows && (options.no_shadows || !transmits(scene));
+    return std::string(is_idle ? "no surface that transmits light casts a shadow" : "");
+  };
+  return row;
 }
 
 }  // namespace penumbra::option_rows

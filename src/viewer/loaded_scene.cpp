@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "picture/examine.hpp"
+
 namespace penumbra {
 
 std::filesystem::path scene_of_key(const std::filesystem::path& folder, int number, bool twin) {
@@ -31,13 +33,11 @@ std::filesystem::path first_scene(const std::filesystem::path& given) {
   return first;
 }
 
-LoadedScene load_scene(const std::filesystem::path& path, const ReadOptions& options) {
+LoadedScene load_scene(const std::filesystem::path& path, const PictureOptions& options) {
   const StampClock before = StampClock::now();
   LoadedScene loaded;
   loaded.path = path;
-  ReadOptions careful = options;
-  careful.edited = true;
-  SceneFile file = read_scene(path, careful);
+  SceneFile file = read_and_examine(path, options, {.edited = true});
   loaded.files.push_back(stamp_of(path, before));
   for (const std::string& name : file.files) {
     if (name != path.string()) loaded.files.push_back(stamp_of(name, before));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "language/scene_file.hpp"
+#include "picture/picture_options.hpp"
 #include "viewer/file_stamp.hpp"
 
 namespace penumbra {
@@ -29,7 +30,8 @@ struct LoadedScene {
   std::vector<FileStamp> files;  // all files of the scene, as they were when it was read
 };
 
-// Never throws because of the contents of the files.
-LoadedScene load_scene(const std::filesystem::path& path, const ReadOptions& options);
+// With the warnings that `check` gives, of the pictures as they are with the options. Never throws because of the
+// contents of the files.
+LoadedScene load_scene(const std::filesystem::path& path, const PictureOptions& options);
 
 }  // namespace penumbra

@@ -102,8 +102,9 @@ void RefineWorker::run() {
 
 std::shared_ptr<const LoadedScene> RefineWorker::loaded_scene(const RefineTask& task) {
   if (task.loaded) return task.loaded;
-  const PictureOptions& options = task.sides.front();
-  auto loaded = std::make_shared<const LoadedScene>(load_scene(task.path, {options.course, options.lenient}));
+  PictureOptions options = task.sides.front();
+  if (task.limit > 0) options.rays = static_cast<int>(task.limit);
+  auto loaded = std::make_shared<const LoadedScene>(load_scene(task.path, options));
   const std::lock_guard lock(mutex_);
   if (is_over()) return nullptr;
   news_.loaded = loaded;

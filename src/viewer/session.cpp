@@ -121,6 +121,11 @@ void Session::take_loaded(const LoadedScene& loaded) {
     if (error_line_ == 0) error_line_ = diagnostic.line;
     error_ += to_string(diagnostic);
   }
+  if (error_.empty() && !loaded.diagnostics.empty()) {
+    const std::size_t more = loaded.diagnostics.size() - 1;
+    say(to_string(loaded.diagnostics.front()) +
+        (more > 0 ? fmt::format("and {} more, which `penumbra check` lists", more) : std::string()));
+  }
 }
 
 void Session::say(std::string message) {

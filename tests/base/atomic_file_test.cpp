@@ -366,6 +366,20 @@ TEST(ReadFile, TellsWhatIsWrong) {
   };
   EXPECT_EQ(code_of_reading(folder / "none"), 66);
   EXPECT_EQ(code_of_reading(folder.path()), 66);
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(code_of_reading(folder / "pipe"), 66);  // without waiting for a writer
+  EXPECT_EQ(code_of_reading("/dev/zero"), 66);
+  put_content(folder / "sparse", "");
+  fs::resize_file(folder / "sparse", std::uintmax_t{1} << 42);
+  EXPECT_EQ(code_of_reading(folder / "sparse"), 65);
+}
+
+TEST(ReadFile, StopsAtAFileThatIsNotWanted) {
+  const TestFolder folder;
+  put_content(folder / "in", std::string(100'000, 'x'));
+  const auto begins_with_x = [](std::span<const std::byte> bytes) { return bytes.front() == std::byte{'x'}; };
+  EXPECT_EQ(read_file(folder / "in", begins_with_x).size(), 100'000u);
+  EXPECT_EQ(read_file(folder / "in", [](auto) { return false; }).size(), 4096u);
 }
 
 }  // namespace

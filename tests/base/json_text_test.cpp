@@ -52,7 +52,7 @@ TEST(JsonText, MembersKeepTheirOrder) {
 }
 
 TEST(JsonText, BytesThatAreNotUtf8) {
-  EXPECT_EQ(to_line("a\xff"), "\"a\xef\xbf\xbd\"");
+  EXPECT_EQ(to_line("a\xff"), R"("a\ufffd")");
   EXPECT_THROW(to_text("a\xff", BadText::refused), std::invalid_argument);
 }
 
@@ -60,7 +60,7 @@ TEST(JsonText, IsReadAgain) {
   const std::string text =
       R"({"b":[1,-2,9223372036854775807,9223372036854775808,0.1,1e300,true,null,"\u00e4"],"a":{"c":{}}})";
   EXPECT_EQ(to_line(json_from_text(text)),
-            R"({"b":[1,-2,9223372036854775807,9.223372036854776e+18,0.1,1e+300,true,null,"ä"],"a":{"c":{}}})");
+            R"({"b":[1,-2,9223372036854775807,9.223372036854776e+18,0.1,1e+300,true,null,"\u00e4"],"a":{"c":{}}})");
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, -0.0, 12345678901234567.0}) {
     EXPECT_EQ(json_from_text(to_line(value)).as<double>(), value);
   }

@@ -1,6 +1,7 @@
 // Damaged pictures: truncated or changed anywhere, they give an error of the right kind or a picture, and never
 // anything worse (with sanitizers, this is a small fuzz test).
 #include <gtest/gtest.h>
+#include <png.h>
 #include <sys/resource.h>
 
 #include <cstring>
@@ -75,6 +76,35 @@ TEST(DamagedPng, CutAnywhere) {
 TEST(DamagedPng, ChangedAnywhere) {
   const Bytes bytes = small_png(8);
   EXPECT_GT(change_everywhere(decode_png, bytes), static_cast<int>(2 * bytes.size()));
+}
+
+// A PNG of black pixels with one bit each.
+Bytes black_bits(int width, int height) {
+  Bytes file;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  const auto append = [](png_structp writer, png_bytep data, std::size_t size) {
+    auto& bytes = *static_cast<Bytes*>(png_get_io_ptr(writer));
+    bytes.insert(bytes.end(), reinterpret_cast<std::byte*>(data), reinterpret_cast<std::byte*>(data) + size);
+  };
+  png_set_write_fn(png, &file, append, [](png_structp) {});
+  png_set_compression_level(png, 9);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 1, PNG_COLOR_TYPE_GRAY,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  const std::vector<png_byte> row(static_cast<std::size_t>(width + 7) / 8);
+  for (int y = 0; y < height; y++) png_write_row(png, row.data());
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return file;
+}
+
+// 33 kB would become 4 GB.
+TEST(DamagedPng, APictureFarLargerThanItsFileIsRefused) {
+  const Bytes bytes = black_bits(16384, 16384);
+  EXPECT_LT(bytes.size(), 40'000u);
+  EXPECT_EQ(error_of(decode_png, bytes), "`bad` is not a valid PNG file: it claims to have 16384 x 16384 pixels");
+  EXPECT_EQ(error_of(decode_png, black_bits(2000, 2000)), "");
 }
 
 TEST(DamagedPng, TheErrorSaysWhatIsWrong) {

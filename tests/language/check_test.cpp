@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -20,17 +19,11 @@ struct Checked {
 
 Checked check(const CheckOptions& options) {
   Checked result;
-  char *out_text = nullptr, *error_text = nullptr;
-  std::size_t out_size = 0, error_size = 0;
-  std::FILE* const out = open_memstream(&out_text, &out_size);
-  std::FILE* const errors = open_memstream(&error_text, &error_size);
-  result.code = check_command(options, out, errors);
-  std::fclose(out);
-  std::fclose(errors);
-  result.out.assign(out_text, out_size);
-  result.errors.assign(error_text, error_size);
-  std::free(out_text);
-  std::free(error_text);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  result.code = check_command(options);
+  result.out = testing::internal::GetCapturedStdout();
+  result.errors = testing::internal::GetCapturedStderr();
   return result;
 }
 
@@ -146,7 +139,8 @@ TEST(Check, hasAnExitCodeForEachCase) {
   result = check({.scene = path});
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.errors.find(path.string() + ": warning: the sphere at 1e+06 0 -4"), std::string::npos);
-  EXPECT_NE(result.out.find("1 warning\n"), std::string::npos);
+  EXPECT_NE(result.errors.find(path.string() + ": warning: nothing is in view"), std::string::npos);
+  EXPECT_NE(result.out.find("2 warnings\n"), std::string::npos);
 
   std::ofstream(path) << "read no-such-file.cli\n";
   EXPECT_EQ(check({.scene = path}).code, 65);

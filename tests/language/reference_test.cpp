@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/check/check_command.hpp"
+#include "picture/examine.hpp"
 #include "support.hpp"
 
 namespace penumbra {
@@ -25,7 +25,9 @@ TEST(Reference, everySceneIsRead) {
     const bool of_2018 = path.string().find("-2018-") != std::string::npos;
     const auto courses = of_2018 ? std::vector{Course::year_2018} : std::vector{Course::off, Course::any_year};
     for (const Course course : courses) {
-      const SceneFile file = read_and_examine(path, {.course = course});
+      PictureOptions options;
+      options.course = course;
+      const SceneFile file = read_and_examine(path, options);
       EXPECT_FALSE(has_error(file.diagnostics)) << told(file);
       EXPECT_GE(pictures(file).size(), 1u) << path;
       EXPECT_TRUE(file.diagnostics.empty()) << "an unexpected warning: " << told(file);

@@ -5,7 +5,8 @@
 //   k:SHORT           the k-th write writes half of what it should
 //   k:FULL            the same, and all writes after it fail with ENOSPC
 //
-// Only regular files and folders count. The name of the call that failed is written to the file PENUMBRA_FAIL_LOG.
+// Only regular files and folders count, without the standard streams. The name of the call that failed is written to
+// the file PENUMBRA_FAIL_LOG.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -44,7 +45,7 @@ const Plan& plan() {
 
 bool counts(int fd, bool folders) {
   struct stat status {};
-  if (::fstat(fd, &status) != 0) return false;
+  if (fd <= STDERR_FILENO || ::fstat(fd, &status) != 0) return false;
   return S_ISREG(status.st_mode) || (folders && S_ISDIR(status.st_mode));
 }
 

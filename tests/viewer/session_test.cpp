@@ -71,6 +71,22 @@ TEST_F(SessionTest, RaysAreDoubledAndHalved) {
   EXPECT_EQ(session.picture()->rays, 1u);
 }
 
+TEST_F(SessionTest, WarningsOfTheSceneAreShown) {
+  const std::string blurred = "image_size 8 6\nlight 0 9 0 1 1 1\nlens 0.1 4\nsphere 1 0 0 -4\n";
+  test::put_content(folder_ / "s01a.cli", blurred);
+  open(std::nullopt);
+  wait([](const Session& s) { return s.picture_is_current(); });
+  const std::string said = session_->message();
+  EXPECT_NE(said.find("s01a.cli:3:1: warning: the blur of a lens with one ray"), std::string::npos) << said;
+  EXPECT_EQ(session_->error(), "");
+  test::put_content(folder_ / "s01a.cli", blurred + "diffuse 255 0 0 0 0 0\n" + "push\n");
+  execute(ViewCommandKind::restart);
+  wait([](const Session& s) { return s.message().find("and 2 more") != std::string::npos; });
+  open(4);
+  wait([](const Session& s) { return s.picture_is_current(); });
+  EXPECT_NE(session_->message().find("and 1 more"), std::string::npos) << "four rays are enough";
+}
+
 TEST_F(SessionTest, AnotherSceneForgetsWhatWasChanged) {
   test::put_content(folder_ / "s02a.cli", scene_text);
   Session& session = open();

@@ -11,7 +11,8 @@
 #include "app/options/shared_options.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/render_paths.hpp"
-#include "geometry/precision.hpp"
+#include "base/say.hpp"
+#include "picture/examine.hpp"
 
 namespace penumbra {
 namespace {
@@ -128,19 +129,6 @@ void require_own_files(const std::string& scene, const SceneFile& file) {
 
 }  // namespace
 
-SceneFile read_and_examine(const std::string& scene, const ReadOptions& options) {
-  SceneFile file = read_scene(scene, options);
-  const auto last = std::find_if(file.actions.rbegin(), file.actions.rend(),
-                                 [](const Action& action) { return std::holds_alternative<Picture>(action); });
-  if (last == file.actions.rend()) return file;
-  Diagnostic warning;
-  warning.severity = Severity::warning;
-  warning.file = file.files.front();
-  warning.message = precision_warning(*std::get<Picture>(*last).scene);
-  if (!warning.message.empty()) file.diagnostics.push_back(warning);
-  return file;
-}
-
 std::string describe(const SceneFile& file) {
   std::string text;
   for (const std::string& name : file.files) text += fmt::format("read: {}\n", name);
@@ -169,19 +157,19 @@ Subcommand check_subcommand(CheckOptions& options) {
   check.options = {
       {"SCENE", "FILE", "The scene file (.cli); - for standard input", into(options.scene), Times::once, true},
       picture_option(options.picture, "course"),
-      picture_option(options.picture, "lenient")};
+      picture_option(options.picture, "lenient"),
+      paths_option(options.picture)};
   check.run = [&options] { return check_command(options); };
   return check;
 }
 
-int check_command(const CheckOptions& options, std::FILE* out, std::FILE* errors) {
-  const SceneFile file =
-      read_and_examine(options.scene, {.course = options.picture.course, .lenient = options.picture.lenient});
-  for (const Diagnostic& diagnostic : file.diagnostics) fmt::print(errors, "{}", to_string(diagnostic));
+int check_command(const CheckOptions& options) {
+  const SceneFile file = read_and_examine(options.scene, options.picture);
+  for (const Diagnostic& diagnostic : file.diagnostics) say(to_string(diagnostic));
   if (!file.found) return EX_NOINPUT;
   if (has_error(file.diagnostics)) return EX_DATAERR;
   require_own_files(options.scene, file);
-  fmt::print(out, "{}", describe(file));
+  print(describe(file));
   return 0;
 }
 

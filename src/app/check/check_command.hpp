@@ -1,7 +1,6 @@
 // `penumbra check`: reads a scene and describes it, or reports its errors.
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 #include "app/options/command_line.hpp"
@@ -12,18 +11,16 @@ namespace penumbra {
 
 struct CheckOptions {
   std::string scene;
-  PictureOptions picture = {};  // only `course` and `lenient`
+  PictureOptions picture = {};  // only `course`, `lenient`, `allow_paths`
 };
 
 // The subcommand `check`; its options write to `options`, which must outlive it.
 Subcommand check_subcommand(CheckOptions& options);
 
-// Writes errors and warnings to `errors` and, if there is no error, the summary to `out`. Returns the exit code: 0, 65
-// if the scene has errors, 64 (FileError) if a picture of it would replace a file of it, 66 if the file does not exist.
-int check_command(const CheckOptions& options, std::FILE* out = stdout, std::FILE* errors = stderr);
-
-// Reads a scene file, and adds the warnings about what is in it to those about how it is written.
-SceneFile read_and_examine(const std::string& scene, const ReadOptions& options);
+// Writes errors and warnings to standard error and, if there is no error, the summary to standard output. Returns the
+// exit code: 0, 65 if the scene has errors, 64 (FileError) if a picture of it would replace a file of it, 66 if the file
+// cannot be read.
+int check_command(const CheckOptions& options);
 
 // The summary: files, pictures, and what each picture shows. Several lines, each ended by a newline.
 std::string describe(const SceneFile& file);

@@ -4,18 +4,18 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "app/files/path_table.hpp"
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
+#include "base/say.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
 
 namespace penumbra {
 namespace {
 
-void print_row(std::string_view name, std::string_view value) { fmt::print("{:<24}{}\n", name, value); }
+void print_row(std::string_view name, std::string_view value) { print(fmt::format("{:<24}{}\n", name, value)); }
 
 std::string percentage(std::size_t count, std::size_t total) {
   return fmt::format("{} of {} ({:.4g} %)", count, total,
@@ -80,10 +80,11 @@ Json json_for(const CompareOptions& options, const Comparison& comparison) {
 
 int report_error(const CompareOptions& options, Verdict verdict, const std::string& sentence) {
   if (options.json) {
-    fmt::print("{}\n", to_text(Json::object(
-                           {{"a", options.a}, {"b", options.b}, {"error", sentence}, {"result", to_string(verdict)}})));
+    print(fmt::format("{}\n",
+                      to_text(Json::object(
+                          {{"a", options.a}, {"b", options.b}, {"error", sentence}, {"result", to_string(verdict)}}))));
   }
-  fmt::print(stderr, "penumbra compare: {}\n", sentence);
+  say(fmt::format("penumbra compare: {}\n", printable(sentence)));
   return static_cast<int>(verdict);
 }
 
@@ -163,13 +164,13 @@ int compare_command(const CompareOptions& options) try {
   const Comparison comparison = compare(a, b, options.thresholds);
   if (!options.heatmap.empty()) write_heatmap(options.heatmap, comparison);
   if (options.json) {
-    fmt::print("{}\n", to_text(json_for(options, comparison)));
+    print(fmt::format("{}\n", to_text(json_for(options, comparison))));
   } else {
     print_table(options, comparison);
   }
   return static_cast<int>(comparison.verdict);
 } catch (const FileError& error) {
-  fmt::print(stderr, "penumbra compare: {}\n", error.what());
+  say(fmt::format("penumbra compare: {}\n", printable(error.what())));
   return error.exit_code;
 }
 

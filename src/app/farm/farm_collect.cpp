@@ -2,13 +2,13 @@
 #include <sysexits.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "app/farm/farm_command.hpp"
 #include "app/merge/part_file.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/say.hpp"
 #include "base/version.hpp"
 #include "farm/child_process.hpp"
 #include "farm/slurm.hpp"
@@ -147,7 +147,7 @@ class Collection {
       complain("Slurm still has their tasks; the merge that waits for them writes the picture");
       return EX_TEMPFAIL;
     }
-    fmt::print("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids)));
+    print(fmt::format("{} merges when they are done\n", submit(merge_command_after(folder_, queue_->ids))));
     return 0;
   }
 
@@ -158,8 +158,10 @@ class Collection {
       if (word == course) asked.course = Course::any_year;
       if (word.starts_with("--course=")) asked.course = course_of_year(word.substr(course.size() + 1));
       if (word == "--lenient") asked.lenient = true;
+      if (word == "--allow-paths") asked.allow_paths = true;
     }
-    ReadOptions options{.course = asked.course, .lenient = asked.lenient, .hash = true};
+    ReadOptions options{
+        .course = asked.course, .lenient = asked.lenient, .allow_paths = asked.allow_paths, .hash = true};
     if (job_.frames) options.moment = {static_cast<double>(job_.frames->first), 0};
     const SceneFile file = read_scene(job_.scene, options);
     if (!file.found) {
@@ -195,7 +197,7 @@ class Collection {
     std::set<std::string> ids = queue_->ids;
     ids.insert(id);
     const std::string merge_id = submit(merge_command_after(folder_, ids));
-    fmt::print("resubmitted: {} renders tasks {}, {} merges\n", id, ranges(tasks), merge_id);
+    print(fmt::format("resubmitted: {} renders tasks {}, {} merges\n", id, ranges(tasks), merge_id));
     return 0;
   }
 

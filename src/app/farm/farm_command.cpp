@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -14,6 +13,7 @@
 #include "app/options/shared_options.hpp"
 #include "app/render/outputs.hpp"
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 #include "farm/slurm.hpp"
 #include "farm/status.hpp"
 #include "picture/option_text.hpp"
@@ -162,7 +162,7 @@ int farm_status(const FarmStatusOptions& options) {
   const JobStatus status = status_of(job, folder.read_state(), units_done(job, folder, ends_as_part_file), queue,
                                      silence, seconds_of_unit(job, folder));
   const auto now = WallClock::now();
-  fmt::print("{}", options.json ? to_json(job, status, now) : to_text(job, status, now));
+  print(options.json ? to_json(job, status, now) : to_text(job, status, now));
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "app/render/scene_frames.hpp"
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/say.hpp"
 #include "base/shell_words.hpp"
 #include "base/version.hpp"
 #include "farm/slurm.hpp"
@@ -147,14 +148,14 @@ int farm_submit(const FarmSubmitOptions& options) {
   require_free(folder);
   const Job job = job_for(options, frames, folder);
   folder.create(job);
-  fmt::print("{}: {} parts in {} tasks, in `{}`\n", job.name, job.units(), job.tasks(), folder.path().string());
+  print(fmt::format("{}: {} parts in {} tasks, in `{}`\n", job.name, job.units(), job.tasks(), folder.path().string()));
 
   std::set<int> tasks;
   for (int task = 0; task < job.tasks(); task++) tasks.insert(task);
   const std::vector<std::string> command = shards_command(folder, tasks);
   if (options.dry_run) {
-    fmt::print("nothing was submitted; these commands would do it:\n  {}\n  {}\n", shell_words(command),
-               shell_words(merge_command_after(folder, {"ID"})));
+    print(fmt::format("nothing was submitted; these commands would do it:\n  {}\n  {}\n", shell_words(command),
+                      shell_words(merge_command_after(folder, {"ID"}))));
     return 0;
   }
   const std::string id = submit(command);
@@ -162,8 +163,8 @@ int farm_submit(const FarmSubmitOptions& options) {
   state.submitted = true;
   folder.write(state);
   const std::string merge_id = submit(merge_command_after(folder, {id}));
-  fmt::print("submitted: {} renders, {} merges; `penumbra farm status {}` shows the progress\n", id, merge_id,
-             shell_word(place));
+  print(fmt::format("submitted: {} renders, {} merges; `penumbra farm status {}` shows the progress\n", id, merge_id,
+                    shell_word(place)));
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "app/files/path_table.hpp"
 #include "app/merge/part_file.hpp"
 #include "app/render/outputs.hpp"
+#include "base/say.hpp"
 #include "image/image_file.hpp"
 
 namespace penumbra {

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <string_view>
 
 #include "base/archive.hpp"
+#include "base/say.hpp"
 #include "image/exr.hpp"
 #include "image/image_file.hpp"
 #include "picture/develop.hpp"
@@ -69,6 +69,8 @@ std::span<const std::byte> part_in_file(std::span<const std::byte> bytes, const 
 }
 
 bool ends_as_part_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
   std::array<char, ending.size()> last{};
   file.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
@@ -102,8 +104,8 @@ void write_merged(const std::vector<Part>& parts, const std::vector<std::string>
     write_image(output, image, {development.bits, development.rounding});
     force_folder_of(output);  // its parts may be removed now
     if (!quiet) {
-      fmt::print(stderr, "{}: {}x{} pixels, from {} parts\n", output, header.crop.width(), header.crop.height(),
-                 parts.size());
+      say(fmt::format("{}: {}x{} pixels, from {} parts\n", output, header.crop.width(), header.crop.height(),
+                      parts.size()));
     }
   }
 }

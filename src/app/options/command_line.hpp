@@ -67,9 +67,6 @@ inline TakeText into(int& number, int low, int high) {
   return [&number, low, high](std::string_view text) { return parse_whole(text, low, high, number); };
 }
 
-// Prints "penumbra: sentence" to standard error.
-void complain(std::string_view sentence);
-
 // Parses the command line and runs the subcommand that it names. Returns its exit code, 0 after help, EX_USAGE, or
 // after an exception, which becomes a message, the exit code of a FileError or EX_SOFTWARE. The help calls the program
 // by its `name`.

@@ -163,6 +163,7 @@ Subcommand render_subcommand(RenderOptions& options) {
         "A file for the picture, .png or .exr, or - for a PNG on standard output; may be repeated",
         into_outputs(options.outputs), Times::repeated}});
   add(picture_options(options, false));
+  add({paths_option(options)});
   add({{"--debug-pixel", "x,y,sample",
         "Render nothing; print all rays of one sample of a pixel, each with its hit and the colour it returned [off]",
         [&options](std::string_view text) { return take_debug_pixel(options, text); }}});

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/parse.hpp"
+#include "base/say.hpp"
 #include "picture/option_table.hpp"
 #include "rendering/isa.hpp"
 
@@ -77,6 +78,11 @@ std::vector<CommandOption> picture_options(PictureOptions& options, bool of_wind
 
 CommandOption picture_option(PictureOptions& options, std::string_view name) {
   return command_option(option_named(name), options);
+}
+
+CommandOption paths_option(PictureOptions& options) {
+  return {"--allow-paths", "", "Let the scene read files outside its folder, and write outside the working one [off]",
+          into(options.allow_paths)};
 }
 
 std::vector<CommandOption> machine_options(MachineOptions& options) {

@@ -17,6 +17,9 @@ std::vector<CommandOption> picture_options(PictureOptions& options, bool of_wind
 // One of them, by its name without dashes.
 CommandOption picture_option(PictureOptions& options, std::string_view name);
 
+// --allow-paths, of all commands that read a scene.
+CommandOption paths_option(PictureOptions& options);
+
 // Options of how to render, not what: they never change a picture.
 struct MachineOptions {
   int threads = 0;                 // 0: all processors this process may use

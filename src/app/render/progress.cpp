@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/say.hpp"
 
 namespace penumbra {
 namespace {
@@ -67,18 +68,18 @@ void Progress::show(bool last) {
   const double remaining = now_done > 0 ? elapsed * std::max(1 - done, 0.0) / now_done : INFINITY;
   const double rate = static_cast<double>(state_.rays.load()) / std::max(elapsed, 1e-9);
   if (style_ == ProgressStyle::json) {
-    fmt::print(stderr, "{{\"done\": {:.4f}, \"elapsed\": {:.3f}, \"remaining\": {}, \"rays_per_second\": {:.0f}}}\n",
-               done, elapsed, std::isfinite(remaining) ? fmt::format("{:.3f}", remaining) : "null", rate);
+    say_progress(
+        fmt::format("{{\"done\": {:.4f}, \"elapsed\": {:.3f}, \"remaining\": {}, \"rays_per_second\": {:.0f}}}\n", done,
+                    elapsed, std::isfinite(remaining) ? fmt::format("{:.3f}", remaining) : "null", rate));
   } else if (style_ == ProgressStyle::bar) {
     const int filled = std::clamp(static_cast<int>(done * bar_width), 0, bar_width);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} elapsed, {} left, {:.1f} Mrays/s   {}", std::string(filled, '#'),
-               std::string(bar_width - filled, '.'), 100 * done, duration_text(elapsed), duration_text(remaining),
-               rate * 1e-6, last ? "\n" : "");
+    say_progress(fmt::format("\r[{}{}] {:3.0f} %  {} elapsed, {} left, {:.1f} Mrays/s   {}", std::string(filled, '#'),
+                             std::string(bar_width - filled, '.'), 100 * done, duration_text(elapsed),
+                             duration_text(remaining), rate * 1e-6, last ? "\n" : ""));
   } else if (!last) {
-    fmt::print(stderr, "{:3.0f} % done, {} elapsed, {} left, {:.1f} Mrays/s\n", 100 * done, duration_text(elapsed),
-               duration_text(remaining), rate * 1e-6);
+    say_progress(fmt::format("{:3.0f} % done, {} elapsed, {} left, {:.1f} Mrays/s\n", 100 * done,
+                             duration_text(elapsed), duration_text(remaining), rate * 1e-6));
   }
-  std::fflush(stderr);
 }
 
 }  // namespace penumbra

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
 #include "app/files/rescue.hpp"
@@ -21,6 +20,7 @@
 #include "app/render/video.hpp"
 #include "app/sessions/render_session.hpp"
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 #include "base/version.hpp"
 #include "rendering/ray_tree.hpp"
 #include "rendering/small_objects.hpp"
@@ -73,11 +73,11 @@ class RenderRun {
     if (failure_ == 0) failure_ = session_.failure();
     stats_.parse_seconds = scenes_.seconds();
     if (!asked_.stats.empty()) write_or_rescue(asked_.stats, bytes_of(to_json(stats_)));
-    if (!finished) fmt::print(stderr, "penumbra: {}\n", session_.why());
+    if (!finished) complain(session_.why());
     if (all_is_done) session_.finish();
     if (all_is_done && !asked_.video.empty()) {
       write_video(asked_.video, first_files_, asked_.frames_per_second.value_or(usual_frames_per_second), ffmpeg);
-      if (!asked_.quiet) fmt::print(stderr, "{}: {} frames\n", asked_.video, first_files_.size());
+      if (!asked_.quiet) say(fmt::format("{}: {} frames\n", asked_.video, first_files_.size()));
     }
     return failure_ != 0 ? failure_ : finished ? EX_OK : EX_TEMPFAIL;
   }
@@ -109,9 +109,8 @@ class RenderRun {
       if (std::holds_alternative<ResetTimer>(action)) {
         timer = Clock::now();
       } else if (std::holds_alternative<PrintTimer>(action)) {
-        std::FILE* const out = has_standard_output(asked_.outputs) ? stderr : stdout;
-        fmt::print(out, "seconds: {:.3f}\n", seconds_since(timer));
-        std::fflush(out);
+        const auto tell = has_standard_output(asked_.outputs) ? say : print;
+        tell(fmt::format("seconds: {:.3f}\n", seconds_since(timer)));
       } else {
         const Files& files = outputs[static_cast<std::size_t>(number++)];
         const PictureJob job = picture_job(scenes_.options(), scenes_.file(), std::get<Picture>(action), number);
@@ -139,9 +138,9 @@ class RenderRun {
     const bool finished =
         std::all_of(files.begin(), files.end(), [&](const auto& file) { return is_finished_file(file, job, is_part); });
     if (!asked_.quiet && (finished || exists(files.front()))) {
-      fmt::print(
-          stderr, "{}: {}\n", files.front().string(),
-          finished ? "already finished" : "not the finished frame of this scene and these options: rendering it");
+      say(fmt::format(
+          "{}: {}\n", files.front().string(),
+          finished ? "already finished" : "not the finished frame of this scene and these options: rendering it"));
     }
     return finished;
   }
@@ -171,17 +170,16 @@ class RenderRun {
     }
     add_to_stats(frame, job.plan);
     if (render->unfinished_pixels() > 0 && !asked_.quiet) {
-      fmt::print(stderr, "penumbra: {} of {} pixels got the maximum of {} rays and still have more noise than {}\n",
-                 render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise);
+      complain(fmt::format("{} of {} pixels got the maximum of {} rays and still have more noise than {}",
+                           render->unfinished_pixels(), pixels, frame.settings.rays_per_pixel, *asked_.noise));
     }
 
     if (const NotFiniteSamples& wrong = session_.spent().rays.not_finite; wrong.count > 0 && !asked_.quiet) {
-      fmt::print(
-          stderr,
-          "penumbra: warning: {} of {} samples {} not finite and {} shown as the largest value, {:.6g}; the same "
-          "command with --debug-pixel {},{},{} shows the rays of the first\n",
-          wrong.count, session_.spent().rays[RayKind::eye], wrong.count == 1 ? "is" : "are",
-          wrong.count == 1 ? "is" : "are", frame.largest_color, wrong.x, wrong.y, wrong.sample);
+      warn(
+          fmt::format("{} of {} samples {} not finite and {} shown as the largest value, {:.6g}; the same "
+                      "command with --debug-pixel {},{},{} shows the rays of the first",
+                      wrong.count, session_.spent().rays[RayKind::eye], wrong.count == 1 ? "is" : "are",
+                      wrong.count == 1 ? "is" : "are", frame.largest_color, wrong.x, wrong.y, wrong.sample));
     }
 
     start = Clock::now();
@@ -196,10 +194,10 @@ class RenderRun {
     const std::uint32_t first = 1u << AdaptiveRules(goal_of(scenes_.options(), frame.settings), frame).first_level;
     const SmallObjects small = small_objects(job.scene, *asked_.noise, first);
     if (small.count == 0) return;
-    fmt::print(stderr,
-               "penumbra: warning: the first {} rays of each pixel may miss {} small object{}, and --noise then sends "
-               "no more there: --first-rays {} finds {}\n",
-               first, small.count, small.count == 1 ? "" : "s", small.rays, small.count == 1 ? "it" : "them");
+    warn(
+        fmt::format("the first {} rays of each pixel may miss {} small object{}, and --noise then sends "
+                    "no more there: --first-rays {} finds {}",
+                    first, small.count, small.count == 1 ? "" : "s", small.rays, small.count == 1 ? "it" : "them"));
   }
 
   void write(const PictureJob& job, Film film, bool finished, const Files& files, double pixels) {
@@ -230,16 +228,16 @@ class RenderRun {
     const Spent& spent = session_.spent();
     const std::string rays = asked_.noise ? fmt::format("{:.1f} rays per pixel on average", rays_per_pixel)
                                           : fmt::format("{} rays per pixel", std::round(10 * rays_per_pixel) / 10);
-    fmt::print(stderr, "{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(),
-               plan.crop.height(), rays, duration_text(spent.seconds),
-               static_cast<double>(spent.rays.total()) / std::max(spent.seconds, 1e-9) * 1e-6);
+    say(fmt::format("{}: {}x{} pixels, {}, {}, {:.1f} Mrays/s\n", path.string(), plan.crop.width(), plan.crop.height(),
+                    rays, duration_text(spent.seconds),
+                    static_cast<double>(spent.rays.total()) / std::max(spent.seconds, 1e-9) * 1e-6));
   }
 
   void print_rays(const Frame& frame, const DebugPixel& pixel) const {
     const auto sample = static_cast<std::uint32_t>(pixel.sample);
     const auto count = static_cast<std::uint32_t>(frame.settings.rays_per_pixel);
     const RayTree tree = trace_sample(frame, kernel_, pixel.x, pixel.y, sample, count);
-    fmt::print("{}", ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
+    print(ray_tree_text(frame, tree, pixel.x, pixel.y, sample));
   }
 
   void add_to_stats(const Frame& frame, const Plan& plan) {
@@ -273,7 +271,7 @@ class RenderRun {
 int render_command(const RenderOptions& options) {
   std::error_code error;
   if (options.scene != standard_input && !std::filesystem::exists(options.scene, error)) {
-    fmt::print(stderr, "penumbra: there is no scene file `{}`\n", options.scene);
+    complain(fmt::format("there is no scene file `{}`", options.scene));
     return EX_NOINPUT;
   }
   const Kernel* const kernel = kernel_of(options.machine);
@@ -281,7 +279,7 @@ int render_command(const RenderOptions& options) {
   try {
     return RenderRun(options, *kernel).run();
   } catch (const FileError& e) {
-    fmt::print(stderr, "penumbra: {}\n", e.what());
+    complain(e.what());
     return e.exit_code;
   }
 }

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
-#include "app/check/check_command.hpp"
 #include "app/render/outputs.hpp"
 #include "app/render/render_checks.hpp"
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
+#include "picture/examine.hpp"
+#include "picture/option_table.hpp"
 
 namespace penumbra {
 namespace {
@@ -26,6 +27,19 @@ std::vector<std::optional<int>> frames_to_render(const PictureOptions& options) 
   return frames;
 }
 
+// Warns of options that change none of the pictures.
+void warn_of_idle_options(const std::vector<Action>& actions, const PictureOptions& options) {
+  std::optional<std::vector<std::string>> idle;
+  for (const Action& action : actions) {
+    const auto* picture = std::get_if<Picture>(&action);
+    if (picture == nullptr) continue;
+    const std::vector<std::string> here = idle_options(*picture->scene, options);
+    if (!idle) idle = here;
+    std::erase_if(*idle, [&here](const auto& one) { return std::find(here.begin(), here.end(), one) == here.end(); });
+  }
+  for (const std::string& sentence : idle.value_or(std::vector<std::string>())) warn(sentence);
+}
+
 }  // namespace
 
 SceneFrames::SceneFrames(const RenderOptions& options, bool hash)
@@ -36,12 +50,12 @@ SceneFrames::SceneFrames(const RenderOptions& options, bool hash)
 void SceneFrames::go_to(std::optional<int> frame) {
   options_.frame = frame;
   if (is_read_ && (!file_.varies || frame == read_frame_)) return;
-  ReadOptions read_options{.course = options_.course, .lenient = options_.lenient, .hash = hash_};
+  ReadOptions read_options{.hash = hash_};
   if (const auto of_range = options_.animation_frame()) {
     read_options.moment = {static_cast<double>(of_range->frame), of_range->time_at(0)};
   }
   const auto start = std::chrono::steady_clock::now();
-  file_ = read_and_examine(options_.scene, read_options);
+  file_ = read_and_examine(options_.scene, options_, read_options);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   require_first_content();
   is_read_ = true;
@@ -78,13 +92,14 @@ int SceneFrames::check(const std::function<void()>& visit) {
 
 int SceneFrames::check_current(bool first) {
   const bool wrong = has_error(file_.diagnostics);
-  if (wrong && file_.varies && options_.frame) fmt::print(stderr, "penumbra: in frame {}:\n", *options_.frame);
+  if (wrong && file_.varies && options_.frame) complain(fmt::format("in frame {}:", *options_.frame));
   for (const Diagnostic& diagnostic : file_.diagnostics) {
     const bool is_new = first && !options_.quiet;
-    if (is_new || diagnostic.severity == Severity::error) fmt::print(stderr, "{}", to_string(diagnostic));
+    if (is_new || diagnostic.severity == Severity::error) say(to_string(diagnostic));
   }
   if (!file_.found) return EX_NOINPUT;
   if (wrong) return EX_DATAERR;
+  if (first && !options_.quiet) warn_of_idle_options(file_.actions, options_);
   require_hash();
   return check_before_rendering(options_, file_.actions, outputs());
 }

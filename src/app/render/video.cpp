@@ -18,7 +18,8 @@
 #include <string_view>
 
 #include "base/atomic_file.hpp"
-#include "base/no_broken_pipe.hpp"
+#include "base/child_signals.hpp"
+#include "base/write_all.hpp"
 #include "image/image_file.hpp"
 #include "image/quantize.hpp"
 
@@ -57,15 +58,6 @@ std::vector<std::uint8_t> bytes_of(const Image& image) {
     bytes[i] = quantize_8(image.rgb[i]);
   }
   return bytes;
-}
-
-bool write_all(int fd, const std::vector<std::uint8_t>& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count = ::write(fd, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) done += static_cast<std::size_t>(count);
-  }
-  return true;
 }
 
 // Every player plays yuv420p. It needs even sides, so an odd one gets a black line.
@@ -110,15 +102,7 @@ class Ffmpeg {
     ::posix_spawn_file_actions_init(&files);
     ::posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&files, output, video_descriptor);
-    posix_spawnattr_t attributes;
-    ::posix_spawnattr_init(&attributes);
-    sigset_t signals;
-    ::sigemptyset(&signals);
-    ::sigaddset(&signals, SIGPIPE);
-    ::posix_spawnattr_setsigdefault(&attributes, &signals);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-    const int error = ::posix_spawn(&pid_, program.c_str(), &files, &attributes, words.data(), environ);
-    ::posix_spawnattr_destroy(&attributes);
+    const int error = ::posix_spawn(&pid_, program.c_str(), &files, ChildSignals().get(), words.data(), environ);
     ::posix_spawn_file_actions_destroy(&files);
     if (error != 0) {
       pid_ = -1;
@@ -169,7 +153,6 @@ void write_video(const fs::path& video, const std::vector<fs::path>& pictures, d
   int ends[2];
   if (memory.get() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) fail(video, std::strerror(errno));
   OpenFile read_end(ends[0]), write_end(ends[1]);
-  const NoBrokenPipe no_broken_pipe;
   Ffmpeg running(ffmpeg, arguments_for(first.width, first.height, frames_per_second), read_end.get(), memory.get(),
                  video);
   read_end.close();
@@ -179,7 +162,8 @@ void write_video(const fs::path& video, const std::vector<fs::path>& pictures, d
       throw FileError(EX_DATAERR, fmt::format("cannot make the video `{}`: `{}` and `{}` differ in size",
                                               video.string(), picture.string(), pictures.front().string()));
     }
-    if (!write_all(write_end.get(), bytes_of(image))) break;
+    const std::vector<std::uint8_t> pixels = bytes_of(image);
+    if (write_all(write_end.get(), std::as_bytes(std::span(pixels))) != 0) break;
   }
   write_end.close();
   if (!running.wait()) fail(video, "ffmpeg failed");

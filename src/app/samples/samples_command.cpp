@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -16,6 +15,7 @@
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
 #include "base/parse.hpp"
+#include "base/say.hpp"
 #include "base/version.hpp"
 #include "image/image_file.hpp"
 #include "picture/option_text.hpp"
@@ -139,7 +139,7 @@ void write_plot(const SamplesOptions& options, const std::vector<PlanePoint>& po
               whole_picture(draw_pattern({points, figures.closest, figures.empty, spectrum}), metadata));
 }
 
-void print_row(std::string_view name, std::string_view value) { fmt::print("{:<26}{}\n", name, value); }
+void print_row(std::string_view name, std::string_view value) { print(fmt::format("{:<26}{}\n", name, value)); }
 
 double share_of_largest_distance(const Figures& figures, std::size_t n) {
   return figures.closest.distance / largest_possible_distance(n);
@@ -280,13 +280,13 @@ int samples_command(const SamplesOptions& options) try {
   if (options.json || !options.output.empty()) spectrum = spectrum_of(source, options);
   if (!options.output.empty()) write_plot(options, points, figures, *spectrum);
   if (options.json) {
-    fmt::print("{}\n", to_text(json_for(options, figures, *spectrum)));
+    print(fmt::format("{}\n", to_text(json_for(options, figures, *spectrum))));
   } else {
     print_table(options, figures);
   }
   return 0;
 } catch (const FileError& error) {
-  fmt::print(stderr, "penumbra samples: {}\n", error.what());
+  say(fmt::format("penumbra samples: {}\n", printable(error.what())));
   return error.exit_code;
 }
 

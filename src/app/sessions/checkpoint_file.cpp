@@ -6,8 +6,8 @@
 #include <new>
 #include <utility>
 
-#include "app/options/command_line.hpp"
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 
 namespace penumbra {
 namespace {
@@ -71,8 +71,7 @@ int CheckpointFile::write(std::span<const std::byte> bytes) {
 
 int CheckpointFile::report_failure(std::string_view why, int exit_code) {
   if (!std::exchange(fails_, true)) {
-    complain(fmt::format("warning: the checkpoint `{}` cannot be saved, and the one before it remains: {}",
-                         path_.string(), why));
+    warn(fmt::format("the checkpoint `{}` cannot be saved, and the one before it remains: {}", path_.string(), why));
   }
   return exit_code;
 }
@@ -82,7 +81,7 @@ void CheckpointFile::remove() const {
     try {
       if (looks_like_checkpoint(file)) remove_file(file);
     } catch (const FileError& error) {
-      complain(fmt::format("warning: {}", error.what()));
+      warn(error.what());
     }
   }
 }

@@ -5,13 +5,13 @@
 #include <sysexits.h>
 
 #include <condition_variable>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <thread>
 
 #include "base/atomic_file.hpp"
+#include "base/say.hpp"
 #include "sampling/pattern.hpp"
 
 namespace penumbra {
@@ -63,14 +63,13 @@ void RenderSession::open_checkpoint() {
   file_.emplace(path, options_.resume);
   if (options_.resume) {
     LastCheckpoint last = file_->read();
-    if (!last.warning.empty() && !quiet_) fmt::print(stderr, "penumbra: warning: {}\n", last.warning);
+    if (!last.warning.empty() && !quiet_) warn(last.warning);
     checkpoint_ = std::move(last.checkpoint);
     if (!checkpoint_ && !quiet_) {
-      fmt::print(stderr, "penumbra: there is no checkpoint `{}` yet: rendering from the beginning\n", path);
+      complain(fmt::format("there is no checkpoint `{}` yet: rendering from the beginning", path));
     }
   } else if (std::filesystem::exists(path) && !quiet_) {
-    fmt::print(stderr, "penumbra: warning: rendering from the beginning, without --resume: `{}` will be replaced\n",
-               path);
+    warn(fmt::format("rendering from the beginning, without --resume: `{}` will be replaced", path));
   }
 }
 

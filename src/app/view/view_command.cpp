@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
+
+#include "base/say.hpp"
 
 namespace penumbra {
 namespace {
@@ -21,9 +22,8 @@ int view_command(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
   ::execv(program.c_str(), words.data());
-  fmt::print(stderr,
-             "penumbra: the window's program `{}` cannot be started ({}); use `penumbra render SCENE.cli -o OUT.png`\n",
-             program, std::generic_category().message(errno));
+  complain(fmt::format("the window's program `{}` cannot be started ({}); use `penumbra render SCENE.cli -o OUT.png`",
+                       program, std::generic_category().message(errno)));
   return EX_UNAVAILABLE;
 }
 

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
-#include <cstdio>
-
 #include "app/options/command_line.hpp"
 #include "app/options/shared_options.hpp"
 #include "base/parse.hpp"
+#include "base/say.hpp"
+#include "language/file_bytes.hpp"
 #include "picture/option_text.hpp"
 #include "viewer/loaded_scene.hpp"
 #include "viewer/window/run_window.hpp"
@@ -33,16 +33,22 @@ std::string take_window_size(WindowOptions& window, std::string_view text) {
 
 int say_no_display(const ViewOptions& options, const char* why) {
   const std::filesystem::path scene = first_scene(options.given);
-  fmt::print(stderr, "penumbra: there is no display to open a window on ({}); use `penumbra render {} -o OUT.png`\n",
-             why, scene.empty() ? "SCENE.cli" : scene.string());
+  complain(fmt::format("there is no display to open a window on ({}); use `penumbra render {} -o OUT.png`", why,
+                       scene.empty() ? "SCENE.cli" : scene.string()));
   return EX_UNAVAILABLE;
 }
 
 int open_window(ViewOptions& options) {
   std::error_code error;
   if (!std::filesystem::exists(options.given, error)) {
-    fmt::print(stderr, "penumbra: there is no scene file or folder `{}`\n", options.given);
+    complain(fmt::format("there is no scene file or folder `{}`", options.given));
     return EX_NOINPUT;
+  }
+  if (!std::filesystem::is_directory(options.given, error)) {
+    if (const std::string problem = load_from_disk(options.given).problem; !problem.empty()) {
+      complain(fmt::format("cannot read the scene file `{}`: {}", options.given, problem));
+      return EX_NOINPUT;
+    }
   }
   options.session.kernel = kernel_of(options.machine);
   if (!options.session.kernel) return EX_SOFTWARE;
@@ -68,6 +74,7 @@ int main(int argc, char** argv) {
   view.options.insert(
       view.options.begin(),
       {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
+  view.options.push_back(paths_option(options.session.picture));
   for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
   view.options.push_back({"--window", "WxH", "Initial size of the window in pixels, WxH [1280x760]",
                           [&options](std::string_view text) { return take_window_size(options.window, text); }});

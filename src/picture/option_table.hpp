@@ -46,7 +46,7 @@ struct PictureOption {
   bool is_list = false;            // takes several values, separated by commas
   bool value_is_optional = false;  // the value follows a `=`, or is left out and an empty text
 
-  std::string help_of_view = {};  // in place of `help` where that speaks of options that only `render` has
+  std::string help_of_view = {};  // in place of `help` where that is not true of `view`
 
   // Parses and stores one value. Returns a sentence that says what is wrong with the text; empty if nothing is.
   std::string (*parse)(PictureOptions& options, std::string_view text) = nullptr;

@@ -51,6 +51,7 @@ PictureOption flag(std::string_view name, std::string help) {
 
 PictureOption size() {
   PictureOption row{"size", "WxH", "Size in pixels [the scene's, else 300x300]", "image_size w h"};
+  row.help_of_view = "Size of the picture in pixels [the scene's, else 300x300]";
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<int> n = whole_numbers(text, 'x');
     const auto is_side = [](int side) { return side >= 1 && side <= most_side; };

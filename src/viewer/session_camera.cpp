@@ -9,6 +9,7 @@ namespace penumbra {
 // While the mouse moves, the next place of the camera waits until there is a picture of the last one, but no longer
 // than this.
 constexpr std::chrono::milliseconds longest_wait(500);
+constexpr double farthest_eye = 1e9;  // from the origin
 
 void Session::take_hold(PlaceInWindow place) {
   grip_.reset();
@@ -25,6 +26,7 @@ void Session::take_hold(PlaceInWindow place) {
 }
 
 void Session::want(const CameraPose& pose) {
+  if (!(max_component(abs(pose.eye)) < farthest_eye)) return;
   wanted_pose_ = as_written(pose, grip_->distance());
   if (pose.axes == grip_->pose.axes) wanted_pose_->axes = pose.axes;
 }

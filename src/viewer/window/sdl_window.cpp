@@ -71,7 +71,7 @@ SdlWindow::SdlWindow(const char* title, const WindowOptions& options) : SdlWindo
                              SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE);
   if (window_) context_ = SDL_GL_CreateContext(window_);
   if (!context_) throw NoDisplay(fmt::format("OpenGL 3.0 is missing: {}", SDL_GetError()));
-  SDL_SetWindowMinimumSize(window_, 480, 320);
+  SDL_SetWindowMinimumSize(window_, static_cast<int>(480 * scale), static_cast<int>(320 * scale));
   SDL_GL_SetSwapInterval(1);
   ImGui::CreateContext();
   imgui_ = true;

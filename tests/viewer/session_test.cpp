@@ -241,6 +241,7 @@ class CameraTest : public SessionTest {
     ASSERT_TRUE(again.scene);
     EXPECT_EQ(pose_of(again.scene->camera), pose_of(shown));
     EXPECT_TRUE(again.diagnostics.empty()) << to_string(again.diagnostics.front());
+    EXPECT_LE(session_->camera_lines().size(), 125u) << "too many digits: " << session_->camera_lines();
   }
 };
 

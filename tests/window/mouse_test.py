@@ -34,6 +34,21 @@ class MouseTests(Tests):
             window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
             self.check_seen(window)
 
+    def test_scale(self):
+        """Everything but the picture has the size that --scale asks for."""
+        self.put("tiny.cli", SCENE)
+        places = []
+        for scale in ("1", "2"):
+            window = self.open("tiny.cli", "--rays", "4", "--window", "1280x880", "--scale", scale)
+            state = window.wait(shown, "the picture")
+            x, y, width, height = state["picture"]
+            assert x + width < state["knobs"]["lens radius"][0] and y + height < 880, state["picture"]
+            places.append(state["knobs"]["lens radius"])
+            self.check_seen(window)
+            window.close()
+        (x1, y1), (x2, y2) = places
+        assert abs((1280 - x2) - 2 * (1280 - x1)) < 20 and abs(y2 - 2 * y1) < 8, places
+
     def test_zoom(self):
         window = self.open_tiny()
         x, y, width, height = window.state["picture"]
@@ -81,6 +96,9 @@ class MouseTests(Tests):
             assert state["picture"] == [x, y, width, height], "the picture itself stays"
             lines = state["changed"]
             assert lines.startswith("eye ") and "\nuvw " in lines, lines
+            uvw = lines.splitlines()[1]
+            assert number == 0 or uvw == turned, "only the first drag should turn: " + lines
+            turned = uvw
             window.picture_shot(self.path("seen.png"))
             self.put("changed.cli", SCENE + lines)
             self.assert_same_picture(self.path("seen.png"), self.render(self.path("changed.cli"), "it.png"))

@@ -33,7 +33,7 @@ void Mouse::press(const Session& session, std::uint8_t button) {
   pressed_ = cursor_;
   const bool at_divider = session.split() && std::abs(cursor_.x - divider_in_window(session)) <= divider_reach;
   dragging_ = at_divider ? Dragging::divider : Dragging::press;
-  moves_ = is_right || (SDL_GetModState() & KMOD_SHIFT) != 0;
+  moves_ = is_right || shift_;
 }
 
 void Mouse::move(Session& session, PlaceInWindow to) {
@@ -55,6 +55,10 @@ void Mouse::move(Session& session, PlaceInWindow to) {
 
 void Mouse::handle(Session& session, const SDL_Event& event) {
   switch (event.type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      shift_ = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+      break;
     case SDL_MOUSEMOTION:
       move(session, place_of(event.motion.x, event.motion.y));
       break;

@@ -28,6 +28,7 @@ class Mouse {
 
   PlaceInWindow cursor_, pressed_;
   Dragging dragging_ = Dragging::nothing;
+  bool shift_ = false;       // held when the last event happened; SDL_GetModState() may be ahead of the events
   bool moves_ = false;       // a drag of the camera moves it, rather than turns
   std::uint8_t button_ = 0;  // that is held
   std::optional<PlaceInWindow> click_;

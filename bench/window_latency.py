@@ -54,7 +54,7 @@ def measure(display, penumbra, size, scenes, turns):
         for number in scenes:
             with open(os.path.join(folder, "s0%da.cli" % number)) as file:
                 texts[number] = file.read()
-        window = Window(display, penumbra, ".", "--size", size, "--window", "1600x780", folder=folder)
+        window = Window(display, penumbra, ".", "--rays", "65536", "--size", size, "--window", "1600x780", folder=folder)
         keys = Keys(display.name)
         for turn in range(turns):
             for number in texts:
@@ -80,7 +80,7 @@ def measure(display, penumbra, size, scenes, turns):
                 rows["any key to its frame"].append(state["time"] - start)
         window.close()
         for _ in range(turns):
-            window = Window(display, penumbra, ".", "--size", size, folder=folder)
+            window = Window(display, penumbra, ".", "--rays", "65536", "--size", size, folder=folder)
             window.wait(lambda s: s["rays"] >= 2, "rays")
             start = Keys(display.name).press("Escape")
             window.process.wait(DEADLINE)

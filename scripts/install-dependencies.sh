@@ -6,7 +6,7 @@ set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev zlib1g-dev
                 libdeflate-dev libcli11-dev libfmt-dev libmuparser-dev libxxhash-dev nlohmann-json3-dev libsdl2-dev
-                libimgui-dev libgl-dev libopengl-dev)
+                libimgui-dev libgl-dev libopengl-dev fonts-inter fonts-dejavu-core)
 # The window is tested on a headless X server, with software OpenGL and real key presses.
 test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb-utils libgl1-mesa-dri)
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)

@@ -51,7 +51,8 @@ def main():
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
         # Each file once, though the fuzzers compile some of them again with other options.
         entries = {entry["file"]: entry for entry in reversed(json.load(file))
-                   if any(entry["file"].startswith(os.path.join(root, folder, "")) for folder in folders)}
+                   if entry["file"].endswith(".cpp")
+                   and any(entry["file"].startswith(os.path.join(root, folder, "")) for folder in folders)}
     good = True
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         for complaints in pool.map(complaints_about, entries.values()):

@@ -24,6 +24,9 @@ void set(Reading& reading, const Call& call) {
 // light_actions.cpp
 CommandFunction point_light, light_of_2018, disk_light, quad_light, spotlight;
 
+// Who a light or a surface is made by.
+inline MadeBy made_by(const Call& call) { return {call.command.name, call.visit, call.line.number}; }
+
 // surface_actions.cpp
 CommandFunction surface, surface_of_2018, highlight, diffuse, reflective, shiny, glossy, translucent, noise, wood,
     marble, stone;

@@ -64,7 +64,8 @@ class DiagnosticList {
   bool has_error() const { return errors_ > 0; }
   // More errors have been found than are reported: reading can stop.
   bool is_full() const { return errors_ > most_errors; }
-  const std::string& file_of(const SourcePlace& place) const { return visits_[place.visit].file; }
+  const std::string& file_of(std::uint32_t visit) const { return visits_[visit].file; }
+  const std::string& file_of(const SourcePlace& place) const { return file_of(place.visit); }
   Place known(const SourcePlace& place) const {
     return {file_of(place), place.line, place.column, place.width, place.source_line};
   }

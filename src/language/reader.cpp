@@ -85,6 +85,16 @@ void report_order_of_2018(Reading& reading) {
                               std::string(how_to_read_2018));
 }
 
+std::vector<CommandPlace> places_of(const Reading& reading, const std::vector<MadeBy>& makers) {
+  std::vector<CommandPlace> places;
+  places.reserve(makers.size());
+  for (const MadeBy& by : makers) {
+    const std::string file = by.visit == 0 ? std::string() : reading.diagnostics.file_of(by.visit);
+    places.push_back({by.command, by.line, file});
+  }
+  return places;
+}
+
 // Offers the file whose name is near, by a path like the one that was given.
 std::string offer_near(const std::filesystem::path& given, const std::string& near) {
   return near.empty() ? std::string() : did_you_mean((given.parent_path() / near).string());
@@ -162,7 +172,11 @@ SceneFile read_scene_with(const std::filesystem::path& path, std::optional<std::
     reading.diagnostics.error(whole_file(reading.diagnostics.open(path.string(), {})),
                               "cannot read this file: " + file.problem, offer_near(path, file.near));
   }
-  if (!reading.diagnostics.has_error()) result.actions = reading.builder.take_actions();
+  if (!reading.diagnostics.has_error()) {
+    result.lights = places_of(reading, reading.builder.light_makers());
+    result.surfaces = places_of(reading, reading.builder.surface_makers());
+    result.actions = reading.builder.take_actions();
+  }
   result.diagnostics = reading.diagnostics.take();
   result.files = std::move(reading.files);
   result.varies = reading.varies;

@@ -72,12 +72,23 @@ Problem SceneBuilder::check_matrix() {
   return {};
 }
 
+void SceneBuilder::set_surface(const Surface& surface, const MadeBy& by) {
+  surface_ = surface;
+  surface_by_ = by;
+}
+
+void SceneBuilder::add_light(const Light& light, const MadeBy& by) {
+  change().lights.push_back(light);
+  light_makers_.push_back(by);
+}
+
 std::uint32_t SceneBuilder::surface_index() {
   std::vector<Surface>& surfaces = scene_.surfaces;
   for (std::size_t back = 1; back <= surfaces.size() && back <= surfaces_to_compare; back++) {
     if (surfaces[surfaces.size() - back] == surface_) return static_cast<std::uint32_t>(surfaces.size() - back);
   }
   surfaces.push_back(surface_);
+  surface_makers_.push_back(surface_by_);
   return static_cast<std::uint32_t>(surfaces.size() - 1);
 }
 

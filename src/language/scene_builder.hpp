@@ -28,6 +28,13 @@ struct Limits {
   int nesting = 64;                           // levels of groups and instances
 };
 
+// The command that made a light or a surface.
+struct MadeBy {
+  std::string_view command;
+  std::uint32_t visit = 0;
+  std::int64_t line = 0;
+};
+
 class SceneBuilder {
  public:
   explicit SceneBuilder(const Limits& limits);
@@ -47,6 +54,12 @@ class SceneBuilder {
 
   // The current surface.
   Surface& surface() { return surface_; }
+  void set_surface(const Surface& surface, const MadeBy& by);
+
+  void add_light(const Light& light, const MadeBy& by);
+  // Who made the lights and surfaces of the scene, in its order.
+  const std::vector<MadeBy>& light_makers() const { return light_makers_; }
+  const std::vector<MadeBy>& surface_makers() const { return surface_makers_; }
 
   // Adds a shape under the current matrix or, if it is not to be `placed`, under none; `motion` is in the space of the
   // open group.
@@ -98,6 +111,8 @@ class SceneBuilder {
   bool matrix_checked_ = true;
   std::vector<std::pair<Affine, SourcePlace>> pushed_;
   Surface surface_;
+  MadeBy surface_by_;
+  std::vector<MadeBy> light_makers_, surface_makers_;
   SourcePlace polygon_place_;
 
   std::vector<Action> actions_;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -56,10 +57,19 @@ struct ReadContent {
   std::string problem;  // why it could not be read; empty if it was
 };
 
+// The line that made a light or a surface, by which people know it.
+struct CommandPlace {
+  std::string_view command;  // empty: no command made it (the surface of a scene before any)
+  std::int64_t line = 0;     // from 1
+  std::string file;          // by a path that the user can open; empty: the scene file itself
+};
+
 struct SceneFile {
   std::vector<Action> actions;          // empty if there is any error
   std::vector<Diagnostic> diagnostics;  // errors and warnings in the order of the file
   ContentHash hash;                     // of the bytes of all files in the order of reading; 0 unless requested
+  // Of all lights and surfaces of the last picture, in the order of its scene.
+  std::vector<CommandPlace> lights, surfaces;
   // All files that were opened or should have been, each once, by paths that the user can open.
   std::vector<std::string> files;
   std::vector<ReadContent> contents;  // of each reading of a file, in their order; empty unless the hash was requested

@@ -44,12 +44,15 @@ bool has_index(Reading& reading, const Call& call, int transmission) {
 }
 
 // Replaces the current surface and returns it, for further changes.
-Surface& replace(Reading& reading, const Surface& surface) { return reading.builder.surface() = surface; }
+Surface& replace(Reading& reading, const Call& call, const Surface& surface) {
+  reading.builder.set_surface(surface, made_by(call));
+  return reading.builder.surface();
+}
 
 }  // namespace
 
 void surface(Reading& reading, const Call& call) {
-  Surface& surface = replace(reading, plain(call));
+  Surface& surface = replace(reading, call, plain(call));
   if (call.form.count() > 3) {
     surface = with_ambient(call);
     add_open_specular(reading, surface, call);
@@ -58,7 +61,7 @@ void surface(Reading& reading, const Call& call) {
 }
 
 void surface_of_2018(Reading& reading, const Call& call) {
-  Surface& surface = replace(reading, plain(call));
+  Surface& surface = replace(reading, call, plain(call));
   if (call.form.count() > 3) {
     surface.ambient = call.vec(0);
     surface.diffuse = call.vec(3);
@@ -75,23 +78,23 @@ void highlight(Reading& reading, const Call& call) {
   reading.highlight = *found;
 }
 
-void diffuse(Reading& reading, const Call& call) { replace(reading, with_ambient(call)); }
+void diffuse(Reading& reading, const Call& call) { replace(reading, call, with_ambient(call)); }
 
 void reflective(Reading& reading, const Call& call) {
-  Surface& surface = replace(reading, with_ambient(call));
+  Surface& surface = replace(reading, call, with_ambient(call));
   surface.reflection = call[6];
 }
 
 void shiny(Reading& reading, const Call& call) {
   if (!has_index(reading, call, 11)) return;
-  Surface& surface = replace(reading, with_ambient(call));
+  Surface& surface = replace(reading, call, with_ambient(call));
   add_open_specular(reading, surface, call);
   surface.transmission = call[11];
   surface.refraction_index = call[12];
 }
 
 void glossy(Reading& reading, const Call& call) {
-  Surface& surface = replace(reading, plain(call));
+  Surface& surface = replace(reading, call, plain(call));
   add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
   if (call[8] > 0) reading.note(Topic::gloss, call);
@@ -99,7 +102,7 @@ void glossy(Reading& reading, const Call& call) {
 
 void translucent(Reading& reading, const Call& call) {
   if (!has_index(reading, call, 9)) return;
-  Surface& surface = replace(reading, plain(call));
+  Surface& surface = replace(reading, call, plain(call));
   add_specular(surface, call, 3);
   surface.gloss_radius = call[8];
   surface.transmission = call[9];

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "language/number.hpp"
 #include "picture/develop.hpp"
 #include "picture/option_rows.hpp"
 #include "picture/option_text.hpp"
+#include "picture/plain_number.hpp"
 #include "picture/scene_lines.hpp"
 #include "picture/scene_traits.hpp"
 
@@ -21,6 +23,15 @@ template <auto asked>
 std::string pair_in_words(const Options& options, const Settings&) {
   return options.*asked ? fmt::format("{},{}", (options.*asked)->first, (options.*asked)->second) : std::string();
 }
+
+std::string in_words(Vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+// What the scene language takes as a coordinate.
+bool is_in_range(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::abs(n) <= largest_number; });
+}
+
+bool span_space(Vec3 u, Vec3 v, Vec3 w) { return std::abs(dot(near_unit(u), cross(near_unit(v), near_unit(w)))) > 0; }
 
 }  // namespace
 
@@ -115,6 +126,52 @@ PictureOption frame() {
   return row;
 }
 
+PictureOption eye() {
+  PictureOption row{"eye", "X,Y,Z", "Position of the eye [the scene's]", "eye x y z"};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<double> n = numbers(text, ',');
+    if (n.size() != 3 || !is_in_range(n)) return expected(text, "X,Y,Z, such as 0,1.5,4");
+    options.eye = Vec3{n[0], n[1], n[2]};
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    return options.eye ? in_words(*options.eye) : std::string();
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.eye) scene.camera.eye = *options.eye;
+  };
+  row.lines = eye_lines;
+  return row;
+}
+
+PictureOption uvw() {
+  PictureOption row{"uvw", "UX,UY,UZ,VX,VY,VZ,WX,WY,WZ",
+                    "Right, up and back of the camera, which looks along -w [the scene's]",
+                    "uvw ux uy uz vx vy vz wx wy wz"};
+  row.parse = [](Options& options, std::string_view text) {
+    const std::vector<double> n = numbers(text, ',');
+    const auto vec = [&n](std::size_t i) { return Vec3{n[i], n[i + 1], n[i + 2]}; };
+    if (n.size() != 9 || !is_in_range(n) || !span_space(vec(0), vec(3), vec(6))) {
+      return expected(text, "nine numbers, three vectors that do not lie in one plane, such as 1,0,0,0,1,0,0,0,1");
+    }
+    options.uvw = CameraAxes{vec(0), vec(3), vec(6)};
+    return std::string();
+  };
+  row.words = [](const Options& options, const Settings&) {
+    if (!options.uvw) return std::string();
+    const auto& [right, up, back] = *options.uvw;
+    return in_words(right) + ',' + in_words(up) + ',' + in_words(back);
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (!options.uvw) return;
+    scene.camera.right = options.uvw->right;
+    scene.camera.up = options.uvw->up;
+    scene.camera.back = options.uvw->back;
+  };
+  row.lines = uvw_lines;
+  return row;
+}
+
 PictureOption lens() {
   PictureOption row{"lens", "R,D", "Radius of the lens and distance of the plane in focus [the scene's]",
                     "lens radius dist"};
@@ -135,10 +192,11 @@ PictureOption lens() {
   row.lines = lens_lines;
   row.knobs = [](const Scene& scene, const Options&) -> std::vector<Knob> {
     const double radius = scene.camera.lens_radius, distance = scene.camera.focus_distance;
+    // Of `camera_lens`, the radius is a quotient.
     return {{"lens radius", Knob::Kind::real, radius, 0, 1e6,
              [distance](Options& o, double value) { o.lens = std::pair(value, distance); }},
             {"focus distance", Knob::Kind::real, distance, 1e-6, 1e6,
-             [radius](Options& o, double value) { o.lens = std::pair(radius, value); }}};
+             [radius](Options& o, double value) { o.lens = std::pair(with_digits(radius, 6), value); }}};
   };
   return row;
 }

@@ -64,8 +64,8 @@ std::string why_not_there(const Scene& scene, Effect effect) {
 
 // A knob for the radius of the light or surface with this number.
 template <auto asked>
-Knob radius_knob(std::string label, int number, double now) {
-  return {std::move(label), Knob::Kind::real, now, 0, 1e6, [number](Options& options, double value) {
+Knob radius_knob(std::string_view label, int number, double now) {
+  return {std::string(label), Knob::Kind::real, now, 0, 1e6, [number](Options& options, double value) {
             std::erase_if(options.*asked, [number](const NumberedRadius& r) { return r.number == number; });
             (options.*asked).push_back({number, value});
           }};
@@ -77,7 +77,8 @@ std::vector<Knob> surface_knobs(const Scene& scene, std::string_view name) {
   std::vector<Knob> knobs;
   for (int number = 1; const Surface& surface : scene.surfaces) {
     if (surface.*share != 0) {
-      knobs.push_back(radius_knob<asked>(fmt::format("{}, surface {}", name, number), number, surface.*radius));
+      knobs.push_back(radius_knob<asked>(name, number, surface.*radius));
+      knobs.back().surface = number;
     }
     number++;
   }
@@ -99,8 +100,8 @@ PictureOption disk_radius() {
     std::vector<Knob> knobs;
     for (int number = 1; const Light& light : scene.lights) {
       if (const auto* disk = std::get_if<DiskLight>(&light)) {
-        knobs.push_back(
-            radius_knob<&Options::disk_radius>(fmt::format("disk radius, light {}", number), number, disk->radius));
+        knobs.push_back(radius_knob<&Options::disk_radius>("radius", number, disk->radius));
+        knobs.back().light = number;
       }
       number++;
     }

@@ -12,7 +12,7 @@ MakeRow size, rays, sampler, seed, max_depth, reflection_rays, transmission_rays
     first_rays, course, highlight, lenient, no_shadows, transparent_shadows;
 
 // camera_rows.cpp: camera, time, and what is kept of the picture
-MakeRow crop, shutter, time, frames, frame, lens, lens_model, exposure, aov, bits;
+MakeRow crop, shutter, time, frames, frame, eye, uvw, lens, lens_model, exposure, aov, bits;
 
 // effect_rows.cpp: strength of effects
 MakeRow disk_radius, gloss, blur, without;

@@ -20,12 +20,13 @@ namespace penumbra {
 // A number that can be changed in the window.
 struct Knob {
   enum class Kind { real, whole, slider, choice, toggle };
-  std::string label;
+  std::string label;  // of what is changed: with `light` or `surface`, of what in it
   Kind kind = Kind::real;
   double value = 0;  // the index of a choice; 0 or 1 for a toggle
   double low = 0, high = 1e6;
   std::function<void(PictureOptions&, double)> set;
   std::span<const std::string_view> choices = {};
+  int light = 0, surface = 0;  // the number of the one it changes; 0: none
 };
 
 // Which commands take an option, and where its words are recorded.
@@ -44,6 +45,8 @@ struct PictureOption {
   OptionUse use = OptionUse::everywhere;
   bool is_list = false;            // takes several values, separated by commas
   bool value_is_optional = false;  // the value follows a `=`, or is left out and an empty text
+
+  std::string help_of_view = {};  // in place of `help` where that is not true of `view`
 
   // Parses and stores one value. Returns a sentence that says what is wrong with the text; empty if nothing is.
   std::string (*parse)(PictureOptions& options, std::string_view text) = nullptr;

@@ -37,6 +37,13 @@ struct AnimationFrame {
   bool operator==(const AnimationFrame&) const = default;
 };
 
+// The camera's axes: right, up, and back along -view.
+struct CameraAxes {
+  Vec3 right, up, back;
+
+  bool operator==(const CameraAxes&) const = default;
+};
+
 // An empty option leaves the scene's own value.
 struct PictureOptions {
   std::optional<std::pair<int, int>> size;
@@ -49,8 +56,10 @@ struct PictureOptions {
   std::optional<int> first_rays;  // of every pixel before `noise` looks where more are needed
   std::optional<std::pair<double, double>> shutter;  // open, close
   std::optional<double> time;
-  std::optional<AnimationRange> frames;           // `shutter` and `time` then are in a frame's own time
-  std::optional<int> frame;                       // only this one of them
+  std::optional<AnimationRange> frames;  // `shutter` and `time` then are in a frame's own time
+  std::optional<int> frame;              // only this one of them
+  std::optional<Vec3> eye;
+  std::optional<CameraAxes> uvw;
   std::optional<std::pair<double, double>> lens;  // radius, distance of the plane in focus
   // Later ones win. Gloss applies to surfaces that reflect, blur to those that transmit; numbers count all surfaces.
   std::vector<NumberedRadius> gloss, blur, disk_radius;

@@ -37,6 +37,17 @@ std::string size_lines(const Scene& before, const Scene& after) {
   return fmt::format("image_size {} {}\n", now.width, now.height);
 }
 
+std::string eye_lines(const Scene& before, const Scene& after) {
+  return after.camera.eye == before.camera.eye ? std::string() : fmt::format("eye {}\n", words(after.camera.eye));
+}
+
+std::string uvw_lines(const Scene& before, const Scene& after) {
+  const Camera& then = before.camera;
+  const Camera& now = after.camera;
+  if (now.right == then.right && now.up == then.up && now.back == then.back) return {};
+  return fmt::format("uvw {}  {}  {}\n", words(now.right), words(now.up), words(now.back));
+}
+
 std::string lens_lines(const Scene& before, const Scene& after) {
   const Camera& then = before.camera;
   const Camera& now = after.camera;

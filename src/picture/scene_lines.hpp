@@ -15,6 +15,8 @@ std::string changed_lines(const Scene& scene, const PictureOptions& options);
 
 // The commands that turn `before` into `after`; empty if they agree.
 std::string size_lines(const Scene& before, const Scene& after);
+std::string eye_lines(const Scene& before, const Scene& after);
+std::string uvw_lines(const Scene& before, const Scene& after);
 std::string lens_lines(const Scene& before, const Scene& after);
 std::string shutter_lines(const Scene& before, const Scene& after);
 std::string highlight_lines(const Scene& before, const Scene& after);

@@ -59,6 +59,7 @@ std::string why_not_random(const Scene& scene, const Options& options) {
 
 PictureOption size() {
   PictureOption row{"size", "WxH", "Size in pixels [the scene's, else 300x300]", "image_size w h"};
+  row.help_of_view = "Size of the picture in pixels [the scene's, else 300x300]";
   row.parse = [](Options& options, std::string_view text) {
     const std::vector<int> n = whole_numbers(text, 'x');
     const auto is_side = [](int side) { return side >= 1 && side <= most_side; };
@@ -82,6 +83,7 @@ PictureOption size() {
 PictureOption rays() {
   PictureOption row = whole_number<&Options::rays, &Settings::rays_per_pixel, 1, most_rays_per_pixel, true>(
       "rays", "Rays per pixel; with --noise, the most [the scene's, else 1; with --noise 65536]", "rays_per_pixel n");
+  row.help_of_view = "Rays per pixel at which the picture rests [the scene's, else 1]";
   row.apply = [](Scene& scene, const Options& options) {
     if (options.noise) scene.settings.rays_per_pixel = static_cast<int>(NoiseGoal().most_rays);
     if (options.rays) scene.settings.rays_per_pixel = *options.rays;

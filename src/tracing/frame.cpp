@@ -6,14 +6,6 @@
 namespace penumbra {
 namespace {
 
-// Single precision is finest round zero: a scene that is seen from far out is traced relative to its eye. Whole numbers
-// keep round coordinates exact.
-constexpr double far_from_origin = 64;
-Vec3 origin_for(Vec3 eye) {
-  if (max_component(abs(eye)) <= far_from_origin) return {};
-  return {std::round(eye.x), std::round(eye.y), std::round(eye.z)};
-}
-
 // Beyond this, squares of numbers in single precision overflow; what is as far is as good as infinitely far.
 constexpr double far_away = 1e18;
 
@@ -127,6 +119,12 @@ double largest_color(const Scene& scene) {
 }
 
 }  // namespace
+
+Vec3 origin_for(Vec3 eye) {
+  constexpr double far_from_origin = 64;
+  if (max_component(abs(eye)) <= far_from_origin) return {};
+  return {std::round(eye.x), std::round(eye.y), std::round(eye.z)};
+}
 
 Frame make_frame(const Scene& scene, int threads) {
   WorldOptions world_options;

@@ -58,10 +58,14 @@ struct Frame {
   }
 };
 
+// The origin of the space that rays are traced in. Single precision is finest round zero: a scene that is seen from far
+// out is traced relative to its eye. Whole numbers keep round coordinates exact.
+Vec3 origin_for(Vec3 eye);
+
 // Compiles the scene; the world is built for the scene's shutter. Throws std::runtime_error where build_world does.
 Frame make_frame(const Scene& scene, int threads);
 
-// The same with a world that was built for a scene of the same objects and the same shutter.
+// The same with a world that was built for a scene of the same objects, the same shutter and the same origin.
 Frame make_frame(const Scene& scene, World world);
 
 }  // namespace penumbra

@@ -10,14 +10,16 @@
 
 namespace penumbra {
 
-// A world that can serve other pictures of the same scene: those whose shutter interval lies within its own.
+// A world that can serve other pictures of the same scene: those whose shutter interval lies within its own, and which
+// are traced relative to the same origin.
 struct BuiltWorld {
   std::shared_ptr<const Scene> scene;  // as loaded
   double shutter_open = 0, shutter_close = 0;
   std::shared_ptr<const Frame> frame;  // whose world it is
 
   bool serves(const std::shared_ptr<const Scene>& loaded, const Camera& camera) const {
-    return frame && loaded == scene && shutter_open <= camera.shutter_open && camera.shutter_close <= shutter_close;
+    return frame && loaded == scene && shutter_open <= camera.shutter_open && camera.shutter_close <= shutter_close &&
+           frame->origin == origin_for(camera.eye);
   }
 };
 

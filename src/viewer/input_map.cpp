@@ -31,7 +31,7 @@ constexpr Letter letters[] = {
     {'c', {ViewCommandKind::copy}},         {'f', {ViewCommandKind::focus}},     {'v', {ViewCommandKind::split}},
     {'p', {ViewCommandKind::next_sampler}}, {'a', toggle(Effect::antialiasing)}, {'l', toggle(Effect::lens)},
     {'m', toggle(Effect::motion)},          {'d', toggle(Effect::disk_lights)},  {'g', toggle(Effect::gloss)},
-    {'t', toggle(Effect::translucency)}};
+    {'t', toggle(Effect::translucency)},    {'o', {ViewCommandKind::camera}}};
 
 ViewCommand step(int samples) { return {ViewCommandKind::step_sample, samples}; }
 
@@ -44,12 +44,13 @@ ViewCommand command_of_key(const PressedKey& key) {
   if (key.scancode == SDL_SCANCODE_UP) return step(-16);
   if (key.scancode == SDL_SCANCODE_DOWN) return step(16);
   if (key.repeated) return {};
-  if (key.scancode == SDL_SCANCODE_ESCAPE) return {ViewCommandKind::quit};
+  if (key.scancode == SDL_SCANCODE_ESCAPE) return {ViewCommandKind::escape};
   if (key.scancode == SDL_SCANCODE_SPACE) return {ViewCommandKind::pause};
   if (key.scancode >= SDL_SCANCODE_1 && key.scancode <= SDL_SCANCODE_9) {
     return {ViewCommandKind::load_scene, key.scancode - SDL_SCANCODE_1 + 1, key.shift};
   }
   const char letter = letter_of(key);
+  if (letter == 'n') return {ViewCommandKind::next_scene, key.shift ? -1 : 1};
   if (letter == 'e') return {key.shift ? ViewCommandKind::darker : ViewCommandKind::brighter};
   const auto* found =
       std::find_if(std::begin(letters), std::end(letters), [&](const Letter& l) { return l.letter == letter; });

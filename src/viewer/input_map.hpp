@@ -13,6 +13,7 @@ namespace penumbra {
 enum class ViewCommandKind {
   none,
   load_scene,  // `number`, and `twin`
+  next_scene,  // by `number` places in the folder
   help,
   pause,
   restart,
@@ -20,6 +21,7 @@ enum class ViewCommandKind {
   copy,
   focus,
   split,
+  camera,
   brighter,
   darker,
   next_sampler,
@@ -27,6 +29,7 @@ enum class ViewCommandKind {
   more_rays,
   fewer_rays,
   step_sample,  // of the inspected pixel, by `number`
+  escape,       // closes what is open, or else the window
   quit
 };
 
@@ -46,7 +49,8 @@ struct KeyHelp {
 };
 
 inline constexpr KeyHelp key_help[] = {
-    {"1 .. 9", "scene s01a.cli .. s09a.cli of the folder; with Shift its twin, s01b.cli .. s09b.cli"},
+    {"1 .. 9", "scene s01a.cli .. s09a.cli; with Shift its twin, s01b.cli .. s09b.cli"},
+    {"N, Shift+N", "next and previous scene of the folder"},
     {"H or ?", "this help"},
     {"Space", "pause and resume"},
     {"R", "read the scene again and start from scratch"},
@@ -58,9 +62,10 @@ inline constexpr KeyHelp key_help[] = {
     {"A L M D G T", "switch on and off: antialiasing, lens, motion, disk lights, gloss, translucency"},
     {"V", "split view: P and the effects change the right half; drag the divider"},
     {"E, Shift+E", "brighter, darker"},
-    {"wheel, drag", "zoom, pan"},
+    {"wheel, drag", "zoom and pan the picture"},
+    {"O", "the mouse moves the camera: drag turns it, Shift and drag moves it, the wheel brings it nearer"},
     {"click", "what that pixel saw; the arrow keys step through its samples"},
-    {"Esc", "quit"}};
+    {"Esc", "close what is open: help, what a pixel saw, the camera; then the window"}};
 
 // A key that went down, in SDL's codes.
 struct PressedKey {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <bit>
 #include "scene/settings.hpp"
 
 namespace penumbra {
@@ -18,9 +17,7 @@ std::uint32_t step_after(std::uint32_t n, std::uint32_t granularity, double seco
 }  // namespace
 
 std::optional<Pass> next_pass(const PassRules& rules, std::uint32_t rays, double seconds_per_ray) {
-  constexpr std::uint32_t most_rays = most_rays_per_pixel;
-  const std::uint32_t most = rules.needs_count ? most_rays_of_free_set : most_rays;
-  const std::uint32_t limit = rules.limit > 0 ? std::min(rules.limit, most_rays) : most;
+  const std::uint32_t limit = std::min(rules.limit, std::uint32_t{most_rays_per_pixel});
   if (rays >= limit) return std::nullopt;
   if (rays == 0) return Pass{0, 1, 1};
   if (rules.needs_count) {

@@ -20,12 +20,10 @@ struct Pass {
 
 struct PassRules {
   bool needs_count = false;       // of the pattern
-  std::uint32_t limit = 0;        // rays per pixel, 0: as many as possible
+  std::uint32_t limit = 1;        // rays per pixel
   std::uint32_t granularity = 1;  // the fewest samples worth a pass, a power of two
 };
 
-// The largest set that is drawn without a limit.
-inline constexpr std::uint32_t most_rays_of_free_set = 1u << 14;
 // How long a pass should take, seconds.
 inline constexpr double pass_seconds = 0.2;
 

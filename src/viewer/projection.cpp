@@ -52,7 +52,7 @@ std::optional<std::pair<PlaceInPicture, PlaceInPicture>> project_line(const Fram
   return {{{a.tx / a.t, a.ty / a.t}, {b.tx / b.t, b.ty / b.t}}};
 }
 
-std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y) {
+std::optional<Vec3> point_at(const Frame& frame, const Kernel& kernel, double x, double y) {
   const FrameCamera& camera = frame.camera;
   ProbeRay ray{};
   ray.time = camera.shutter_open;
@@ -64,8 +64,13 @@ std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, doub
   ProbeHit hit{};
   kernel.intersect(frame.world, {&ray, 1}, {&hit, 1});
   if (!std::isfinite(hit.distance)) return std::nullopt;
-  double distance = 0;
-  for (int i = 0; i < 3; i++) distance += (double{hit.point[i]} - camera.eye[i]) * camera.view[i];
+  return vec(hit.point) + frame.origin;
+}
+
+std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y) {
+  const std::optional<Vec3> point = point_at(frame, kernel, x, y);
+  if (!point) return std::nullopt;
+  const double distance = dot(*point - frame.origin - vec(frame.camera.eye), vec(frame.camera.view));
   if (!(distance > 0)) return std::nullopt;
   return distance;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/vec.hpp"
 #include "tracing/frame.hpp"
 #include "tracing/kernel.hpp"
 
@@ -17,8 +18,11 @@ struct PlaceInPicture {
 std::optional<std::pair<PlaceInPicture, PlaceInPicture>> project_line(const FrameCamera& camera, const float (&from)[3],
                                                                       const float (&to)[3]);
 
-// The distance, along -w, of the first hit of the ray from the eye through the point (x, y) of the picture, in pixels,
-// at the time when the shutter opens; nothing if it hits nothing.
+// Where the ray from the eye through the point (x, y) of the picture, in pixels, first hits something at the time when
+// the shutter opens, in the world of the scene; nothing if it hits nothing.
+std::optional<Vec3> point_at(const Frame& frame, const Kernel& kernel, double x, double y);
+
+// The distance, along -w, of that point; nothing if there is none in front of the eye.
 std::optional<double> distance_at(const Frame& frame, const Kernel& kernel, double x, double y);
 
 }  // namespace penumbra

@@ -142,15 +142,16 @@ bool RefineWorker::grow(const std::shared_ptr<const LoadedScene>& loaded, const 
   last.loaded = loaded;
   double seconds_per_ray = 0;
   while (true) {
-    rules.limit = limit();
-    if (rules.limit > 0 && last.rays > rules.limit) return true;
+    const std::uint32_t asked = limit();
+    rules.limit = asked > 0 ? asked : static_cast<std::uint32_t>(loaded->scene->settings.rays_per_pixel);
+    if (last.rays > rules.limit) return true;
     const std::optional<Pass> pass = next_pass(rules, last.rays, seconds_per_ray);
     if (!pass && !last.done) {
       last.done = true;
       publish(std::make_shared<const Refinement>(last));
     }
-    if (!wait_for_work(last.rays, !pass, rules.limit)) return false;
-    if (!pass || limit() != rules.limit) continue;
+    if (!wait_for_work(last.rays, !pass, asked)) return false;
+    if (!pass || limit() != asked) continue;
     for (GrowingPicture& picture : pictures) picture.prepare(*pass);
     const Clock::time_point start = Clock::now();
     bool whole = true;

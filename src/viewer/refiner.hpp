@@ -22,7 +22,7 @@ struct RefineTask {
   std::filesystem::path path;                 // read this file,
   std::shared_ptr<const LoadedScene> loaded;  // unless it is already loaded
   std::vector<PictureOptions> sides;
-  std::uint32_t limit = 0;  // rays per pixel; 0: as many as there is time for
+  std::uint32_t limit = 0;  // rays per pixel; 0: the scene's own
 };
 
 // One picture after a number of complete passes.

@@ -8,7 +8,6 @@
 #include "base/atomic_file.hpp"
 #include "picture/develop.hpp"
 #include "picture/scene_lines.hpp"
-#include "viewer/projection.hpp"
 #include "viewer/save_picture.hpp"
 
 namespace penumbra {
@@ -23,7 +22,7 @@ Session::Session(const SessionOptions& options, std::function<void()> notify)
       command_line_(options.picture),
       kernel_(options.kernel),
       refiner_(*options.kernel, options.threads, std::move(notify)) {
-  exposure_halves_ = command_line_.exposure_halves;
+  first_exposure_ = command_line_.exposure_halves;
   command_line_.exposure_halves = 0;
   const std::filesystem::path first = first_scene(options.given);
   open(first.empty() ? scene_of_key(folder_, 1, false) : first);
@@ -32,14 +31,42 @@ Session::Session(const SessionOptions& options, std::function<void()> notify)
 void Session::open(const std::filesystem::path& scene) {
   path_ = scene;
   start_from_command_line();
+  exposure_halves_ = first_exposure_;
+  set_paused(false);
   show(true);
 }
 
 void Session::start_from_command_line() {
   sides_.assign(2, command_line_);
+  grip_.reset();
+  wanted_pose_.reset();
   limit_ = static_cast<std::uint32_t>(command_line_.rays.value_or(0));
   for (PictureOptions& side : sides_) side.rays.reset();
   if (split_) set_split(true);
+}
+
+void Session::set_paused(bool paused) {
+  paused_ = paused;
+  refiner_.pause(paused);
+}
+
+void Session::go_to_scene(int step) {
+  const std::filesystem::path next = scene_after(scenes(), path_, step);
+  if (next.empty()) return say(fmt::format("there is no scene in {}", folder_.empty() ? "." : folder_.string()));
+  open(next);
+}
+
+// Closes what the user opened last in the picture, or the window if nothing is open.
+void Session::escape() {
+  if (help_) {
+    help_ = false;
+  } else if (inspection_) {
+    inspection_.reset();
+  } else if (moves_camera_) {
+    moves_camera_ = false;
+  } else {
+    quit_ = true;
+  }
 }
 
 void Session::show(bool read_again) {
@@ -53,8 +80,8 @@ void Session::show(bool read_again) {
   task_ = refiner_.show(std::move(task));
 }
 
-bool Session::poll() {
-  bool changed = false;
+SessionNews Session::poll() {
+  SessionNews what = SessionNews::none;
   const RefinerNews news = refiner_.take();
   if (news.loaded) {
     take_loaded(*news.loaded);
@@ -62,28 +89,29 @@ bool Session::poll() {
       loaded_ = news.loaded;
       forget_missing_numbers();
     }
-    changed = true;
+    what = SessionNews::layout;
   }
   if (news.picture) {
     picture_ = news.picture;
     const RefinedSide& side = picture_->sides.front();
     view_.set_picture_size(side.image.width, side.image.height);
     inspect_again();
-    changed = true;
+    what = std::max(what, SessionNews::picture);
   }
   if (!news.failure.empty()) {
     error_ = fmt::format("{}: {}", path_.string(), news.failure);
-    changed = true;
+    what = SessionNews::layout;
   }
   const Clock::time_point now = Clock::now();
   if (!message_.empty() && now > message_end_) {
     message_.clear();
-    changed = true;
+    what = SessionNews::layout;
   }
   if (!reading_ && now >= next_look_) {
     look_at_files(now);
   }
-  return changed;
+  apply_pose(now);
+  return what;
 }
 
 void Session::look_at_files(Clock::time_point now) {
@@ -116,8 +144,12 @@ void Session::take_loaded(const LoadedScene& loaded) {
   next_look_ = Clock::now() + look_interval;
   error_.clear();
   error_line_ = 0;
+  warnings_.clear();
   for (const Diagnostic& diagnostic : loaded.diagnostics) {
-    if (diagnostic.severity != Severity::error) continue;
+    if (diagnostic.severity == Severity::warning) {
+      warnings_.push_back(diagnostic);
+      continue;
+    }
     if (error_line_ == 0) error_line_ = diagnostic.line;
     error_ += to_string(diagnostic);
   }
@@ -142,12 +174,13 @@ void Session::execute(const ViewCommand& command, PlaceInWindow cursor) {
       return step_sample(command.number);
     case ViewCommandKind::load_scene:
       return open(scene_of_key(folder_, command.number, command.twin));
+    case ViewCommandKind::next_scene:
+      return go_to_scene(command.number);
     case ViewCommandKind::help:
       help_ = !help_;
       break;
     case ViewCommandKind::pause:
-      paused_ = !paused_;
-      return refiner_.pause(paused_);
+      return set_paused(!paused_);
     case ViewCommandKind::restart:
       return show(true);
     case ViewCommandKind::save:
@@ -175,6 +208,11 @@ void Session::execute(const ViewCommand& command, PlaceInWindow cursor) {
     case ViewCommandKind::more_rays:
     case ViewCommandKind::fewer_rays:
       return change_rays(command.kind == ViewCommandKind::more_rays);
+    case ViewCommandKind::camera:
+      moves_camera_ = !moves_camera_;
+      break;
+    case ViewCommandKind::escape:
+      return escape();
     case ViewCommandKind::quit:
       quit_ = true;
       break;
@@ -194,51 +232,6 @@ void Session::save() {
   }
 }
 
-void Session::focus(PlaceInWindow cursor) {
-  const auto pixel = view_.pixel_at(cursor);
-  if (!picture_ || !pixel || !loaded_) return say("F focuses at the cursor: point at the picture");
-  const Frame& frame = *picture_->sides[static_cast<std::size_t>(side_of(*pixel))].frame;
-  const double middle = frame.settings.course != Course::off ? 0.0 : 0.5;
-  const auto distance = distance_at(frame, *kernel_, pixel->x + middle, pixel->y + middle);
-  if (!distance) return say("there is nothing at the cursor to focus on");
-  const double radius = scene_with_all_effects().camera.lens_radius;
-  change([=](PictureOptions& o) { o.lens = {radius, *distance}; });
-  say(fmt::format("focus at {:.4g}{}", *distance, radius == 0 ? "; the lens radius is 0, so everything is sharp" : ""));
-}
-
-int Session::side_of(PictureView::Pixel pixel) const {
-  const bool right = picture_->sides.size() > 1 && pixel.x >= divider_ * picture_->sides[0].image.width;
-  return right ? 1 : 0;
-}
-
-void Session::inspect_at(PlaceInWindow place) {
-  const auto pixel = view_.pixel_at(place);
-  if (!picture_ || !pixel) return inspection_.reset();
-  const InspectedSample at{side_of(*pixel), pixel->x, pixel->y, 0};
-  const bool again = inspection_ && inspection_->at.x == at.x && inspection_->at.y == at.y;
-  if (again) return inspection_.reset();
-  inspection_ = inspect(*picture_, *kernel_, at);
-}
-
-void Session::step_sample(int by) {
-  if (!inspection_) return;
-  InspectedSample at = inspection_->at;
-  at.sample = static_cast<std::uint32_t>(
-      std::clamp<std::int64_t>(std::int64_t{at.sample} + by, 0, std::int64_t{picture_->rays} - 1));
-  if (at != inspection_->at) inspection_ = inspect(*picture_, *kernel_, at);
-}
-
-// The picture has changed: it has more samples, other settings, or another scene.
-void Session::inspect_again() {
-  if (!inspection_) return;
-  InspectedSample at = inspection_->at;
-  const Image& image = picture_->sides.front().image;
-  if (at.x >= image.width || at.y >= image.height) return inspection_.reset();
-  at.sample = std::min(at.sample, picture_->rays - 1);
-  at.side = side_of({at.x, at.y});
-  inspection_ = inspect(*picture_, *kernel_, at);
-}
-
 void Session::set_split(bool split) {
   split_ = split;
   if (!split) return;
@@ -250,8 +243,12 @@ void Session::set_split(bool split) {
 
 void Session::change_rays(bool more) {
   if (!loaded_) return;
-  const auto now = limit_ > 0 ? limit_ : static_cast<std::uint32_t>(loaded_->scene->settings.rays_per_pixel);
-  set_limit(more ? std::min(now * 2, std::uint32_t{most_rays_per_pixel}) : std::max(now / 2, 1u));
+  set_limit(more ? std::min(limit() * 2, std::uint32_t{most_rays_per_pixel}) : std::max(limit() / 2, 1u));
+}
+
+std::uint32_t Session::limit() const {
+  if (limit_ > 0 || !loaded_) return limit_;
+  return static_cast<std::uint32_t>(loaded_->scene->settings.rays_per_pixel);
 }
 
 void Session::set_limit(std::uint32_t rays) {
@@ -278,6 +275,26 @@ void Session::change_side(int side, const std::function<void(PictureOptions&)>& 
 void Session::forget_changes() {
   start_from_command_line();
   show(false);
+}
+
+CommandPlace Session::place_of_light(int number) const {
+  const auto index = static_cast<std::size_t>(number - 1);
+  return loaded_ && index < loaded_->lights.size() ? loaded_->lights[index] : CommandPlace();
+}
+
+CommandPlace Session::place_of_surface(int number) const {
+  const auto index = static_cast<std::size_t>(number - 1);
+  return loaded_ && index < loaded_->surfaces.size() ? loaded_->surfaces[index] : CommandPlace();
+}
+
+std::string Session::name_of_light(int number) const {
+  const CommandPlace place = place_of_light(number);
+  return place.line > 0 ? name_of(place) : fmt::format("light {}", number);
+}
+
+std::string Session::name_of_surface(int number) const {
+  const CommandPlace place = place_of_surface(number);
+  return place.line > 0 ? name_of(place) : fmt::format("surface {}", number);
 }
 
 void Session::set_divider(double share) { divider_ = std::clamp(share, 0.0, 1.0); }

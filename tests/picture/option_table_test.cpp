@@ -47,6 +47,8 @@ const std::map<std::string_view, std::vector<std::string>> examples = {
     {"time", {"0.1", "-1000000"}},
     {"frames", {"0-0", "5", "3-17", "3-17x4"}},
     {"frame", {"0", "999999"}},
+    {"eye", {"0,1.5,4", "-1e-05,0,12"}},
+    {"uvw", {"0,0,-1,0,1,0,1,0,0", "0.6,0,-0.8,0,1,0,0.8,0,0.6"}},
     {"lens", {"0,5", "0.1,0.30000000000000004"}},
     {"disk-radius", {"0", "1:0.25", "0.5,1:0.25"}},
     {"gloss", {"0", "1:0.25", "0.5,2:0.25,1:0"}},
@@ -134,6 +136,10 @@ TEST(OptionTable, TheLinesOfTheWindowAreTheSceneLanguage) {
     EXPECT_TRUE(read.settings == wanted.settings) << row.name << ' ' << text;
     EXPECT_EQ(read.camera.lens_radius, wanted.camera.lens_radius) << row.name;
     EXPECT_EQ(read.camera.focus_distance, wanted.camera.focus_distance) << row.name;
+    EXPECT_EQ(read.camera.eye, wanted.camera.eye) << row.name;
+    EXPECT_EQ(read.camera.right, wanted.camera.right) << row.name;
+    EXPECT_EQ(read.camera.up, wanted.camera.up) << row.name;
+    EXPECT_EQ(read.camera.back, wanted.camera.back) << row.name;
     EXPECT_EQ(read.camera.shutter_open, wanted.camera.shutter_open) << row.name;
     EXPECT_EQ(read.camera.shutter_close, wanted.camera.shutter_close) << row.name;
   });
@@ -181,6 +187,19 @@ TEST(OptionTable, TheReferencePageIsThatOfTheTable) {
   }
 }
 
+// `view --help` speaks of no option that `view` does not have.
+TEST(OptionTable, TheHelpOfTheWindowIsTrueOfIt) {
+  PictureOptions options;
+  for (const CommandOption& option : picture_options(options, true)) {
+    for (const PictureOption& row : option_table()) {
+      const std::string name = "--" + std::string(row.name);
+      if (row.use == OptionUse::everywhere) continue;
+      EXPECT_NE(option.name, name);
+      EXPECT_EQ(option.help.find(name), option.help.npos) << option.name << ": " << option.help;
+    }
+  }
+}
+
 TEST(OptionTable, WrongTextsAreRefusedWithASentence) {
   const std::map<std::string_view, std::vector<std::string>> wrong = {
       {"size", {"", "0x1", "640", "65537x1", "65536x65536", "640x480x2"}},
@@ -195,6 +214,8 @@ TEST(OptionTable, WrongTextsAreRefusedWithASentence) {
       {"shutter", {"1,0", "0", "0,inf"}},
       {"time", {"inf", "x", "1e7"}},
       {"frames", {"", "3x2", "3-", "4-3", "1-2x0", "-1-2", "0-1000000"}},
+      {"eye", {"", "1,2", "1,2,3,4", "1,2,inf"}},
+      {"uvw", {"1,0,0", "1,0,0,0,1,0,1,1,0", "1,0,0,0,1,0,0,0,x"}},
       {"lens", {"1", "-1,2", "1,0", "nan,1"}},
       {"gloss", {"-1", "0:1", "1:2:3", ""}},
       {"without", {"fog"}},

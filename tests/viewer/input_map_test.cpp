@@ -36,7 +36,10 @@ TEST(InputMap, EveryKeyOfTheContract) {
   EXPECT_EQ(kind_of(SDL_SCANCODE_F, SDLK_f), focus);
   EXPECT_EQ(kind_of(SDL_SCANCODE_V, SDLK_v), split);
   EXPECT_EQ(kind_of(SDL_SCANCODE_P, SDLK_p), next_sampler);
-  EXPECT_EQ(kind_of(SDL_SCANCODE_ESCAPE, SDLK_ESCAPE), quit);
+  EXPECT_EQ(kind_of(SDL_SCANCODE_ESCAPE, SDLK_ESCAPE), escape);
+  EXPECT_EQ(kind_of(SDL_SCANCODE_O, SDLK_o), camera);
+  EXPECT_EQ(command_of_key({SDL_SCANCODE_N, SDLK_n}), (ViewCommand{next_scene, 1}));
+  EXPECT_EQ(command_of_key({SDL_SCANCODE_N, SDLK_n, true}), (ViewCommand{next_scene, -1}));
   const std::pair<int, Effect> toggles[] = {{'a', Effect::antialiasing}, {'l', Effect::lens},
                                             {'m', Effect::motion},       {'d', Effect::disk_lights},
                                             {'g', Effect::gloss},        {'t', Effect::translucency}};

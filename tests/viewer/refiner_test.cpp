@@ -22,6 +22,8 @@ moving_object 0.5 0 0
 sphere 50 0 -51 -5
 )";
 
+constexpr std::uint32_t many = most_rays_per_pixel;  // more than there is time for
+
 class RefinerTest : public testing::Test {
  protected:
   RefinerTest() : refiner_(*usable_kernels().back(), 2, [this] { notified_++; }) {
@@ -101,12 +103,29 @@ TEST_F(RefinerTest, ALaterTaskTakesTheWorld) {
   EXPECT_EQ(wait_for_rays(2)->sides[0].image.rgb, rendered(2)) << "the narrower world would not do";
 }
 
+TEST_F(RefinerTest, AnEyeFarAwayHasAWorldOfItsOwn) {
+  refiner_.show(task(2));
+  wait_for_rays(2);
+  PictureOptions options;
+  options.eye = {300, 0, 95.5};
+  options.uvw = {{0.3, 0, -0.95}, {0, 1, 0}, {0.95, 0, 0.3}};
+  refiner_.show(task(2, options));
+  EXPECT_EQ(wait_for_rays(2)->sides[0].image.rgb, rendered(2, options));
+}
+
+TEST_F(RefinerTest, WithoutALimitItRestsAtTheScenesOwn) {
+  const test::TestFolder folder;
+  test::put_content(folder / "own.cli", scene_text + "rays_per_pixel 6\n");
+  refiner_.show({folder / "own.cli", nullptr, {{}}, 0});
+  EXPECT_EQ(wait([](const RefinerNews& news) { return news.picture && news.picture->done; }).picture->rays, 6u);
+}
+
 TEST_F(RefinerTest, OldPicturesAreNotSeenAgain) {
   std::uint64_t last = 0;
   for (int i = 0; i < 50; i++) {
     PictureOptions options;
     options.seed = static_cast<std::uint32_t>(i);
-    last = refiner_.show(task(0, options));
+    last = refiner_.show(task(many, options));
     const RefinerNews news = refiner_.take();
     if (news.picture) {
       EXPECT_EQ(news.picture->task, last);
@@ -117,13 +136,13 @@ TEST_F(RefinerTest, OldPicturesAreNotSeenAgain) {
 
 TEST_F(RefinerTest, PauseHoldsAfterTheFirstPicture) {
   refiner_.pause(true);
-  refiner_.show(task(0));
+  refiner_.show(task(many));
   const auto first = wait([](const RefinerNews& news) { return news.picture != nullptr; }).picture;
   EXPECT_EQ(first->rays, 1u);
   // Another refiner, which is not paused, reaches 64 rays meanwhile: long enough for a second picture if there were
   // one.
   Refiner other(*usable_kernels().back(), 2, [] {});
-  other.show(task(0));
+  other.show(task(many));
   wait(other, [](const RefinerNews& news) { return news.picture && news.picture->rays >= 64; });
   EXPECT_EQ(notified_, 1);
   EXPECT_EQ(refiner_.take().picture, nullptr);
@@ -132,7 +151,7 @@ TEST_F(RefinerTest, PauseHoldsAfterTheFirstPicture) {
 }
 
 TEST_F(RefinerTest, AStoppedPassLeavesNothing) {
-  refiner_.show(task(0));
+  refiner_.show(task(many));
   int stops = 0;
   const auto picture = wait([&](const RefinerNews& news) {
                          if (stops == 30) return news.picture && news.picture->rays >= 64;
@@ -154,7 +173,7 @@ TEST_F(RefinerTest, ALimitThatRisesGoesOn) {
 }
 
 TEST_F(RefinerTest, ALimitThatFallsBeginsAgain) {
-  refiner_.show(task(0));
+  refiner_.show(task(many));
   wait([](const RefinerNews& news) { return news.picture && news.picture->rays >= 32; });
   refiner_.set_limit(5);
   const auto picture = wait([](const RefinerNews& news) { return news.picture && news.picture->done; }).picture;
@@ -164,7 +183,7 @@ TEST_F(RefinerTest, ALimitThatFallsBeginsAgain) {
 
 TEST_F(RefinerTest, ALimitThatIsReachedAlreadyIsTold) {
   refiner_.pause(true);
-  refiner_.show(task(0));
+  refiner_.show(task(many));
   wait_for_rays(1);
   refiner_.set_limit(1);
   EXPECT_TRUE(wait_for_rays(1)->done);
@@ -198,14 +217,14 @@ TEST_F(RefinerTest, ReadsFilesAndSaysWhatIsWrongWithThem) {
 TEST_F(RefinerTest, IsNotHeldUpByWhatCannotBeStopped) {
   PictureOptions endless;
   endless.shadow_rays = 65536;
-  refiner_.show(task(0, endless));
+  refiner_.show(task(many, endless));
   std::this_thread::sleep_for(20ms);
   for (int i = 0; i < 5; i++) refiner_.show(task(2));
   EXPECT_EQ(wait_for_rays(2)->sides[0].image.rgb, rendered(2));
 }
 
 TEST_F(RefinerTest, ClosesAtOnce) {
-  refiner_.show(task(0));
+  refiner_.show(task(many));
   wait([](const RefinerNews& news) { return news.picture && news.picture->rays >= 16; });
   EXPECT_TRUE(refiner_.close(60s));
 }

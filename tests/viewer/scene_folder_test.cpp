@@ -1,4 +1,4 @@
-#include "viewer/loaded_scene.hpp"
+#include "viewer/scene_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,21 @@ TEST(SceneFolder, BeginsWithTheFirstPair) {
   EXPECT_EQ(first_scene(folder / "zebra.cli"), folder / "zebra.cli");
   EXPECT_EQ(folder_of(folder / "zebra.cli"), folder.path());
   EXPECT_EQ(folder_of(folder.path()), folder.path());
+}
+
+TEST(SceneFolder, ScenesFollowEachOtherByName) {
+  const test::TestFolder folder;
+  EXPECT_TRUE(scenes_of(folder.path()).empty());
+  EXPECT_TRUE(scenes_of(folder / "missing").empty());
+  EXPECT_TRUE(scene_after({}, "a.cli", 1).empty());
+  for (const char* name : {"zebra.cli", "ant.cli", "bee.cli", "a.txt"}) test::put_content(folder / name, "");
+  std::filesystem::create_directory(folder / "folder.cli");
+  const std::vector<std::filesystem::path> scenes = scenes_of(folder.path());
+  EXPECT_EQ(scenes, (std::vector<std::filesystem::path>{folder / "ant.cli", folder / "bee.cli", folder / "zebra.cli"}));
+  EXPECT_EQ(scene_after(scenes, folder / "ant.cli", 1), folder / "bee.cli");
+  EXPECT_EQ(scene_after(scenes, folder / "zebra.cli", 1), folder / "ant.cli");
+  EXPECT_EQ(scene_after(scenes, folder / "ant.cli", -1), folder / "zebra.cli");
+  EXPECT_EQ(scene_after(scenes, "elsewhere.cli", 1), folder / "ant.cli");
 }
 
 }  // namespace

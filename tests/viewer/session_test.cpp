@@ -58,8 +58,10 @@ class SessionTest : public testing::Test {
 
 TEST_F(SessionTest, RaysAreDoubledAndHalved) {
   Session& session = open(std::nullopt);
-  wait([](const Session& s) { return s.picture_is_current(); });
-  EXPECT_EQ(session.limit(), 0u);
+  wait_until_done();
+  EXPECT_EQ(session.picture()->rays, 3u) << "it rests at what the scene says";
+  EXPECT_EQ(session.limit(), 3u);
+  EXPECT_EQ(session.changed_lines(), "");
   execute(ViewCommandKind::more_rays);
   EXPECT_EQ(session.limit(), 6u) << "twice what the scene says";
   execute(ViewCommandKind::fewer_rays);
@@ -67,8 +69,7 @@ TEST_F(SessionTest, RaysAreDoubledAndHalved) {
   EXPECT_EQ(session.limit(), 1u);
   execute(ViewCommandKind::fewer_rays);
   EXPECT_EQ(session.limit(), 1u);
-  wait_until_done();
-  EXPECT_EQ(session.picture()->rays, 1u);
+  wait([](const Session& s) { return s.picture()->done && s.picture()->rays == 1; });
 }
 
 TEST_F(SessionTest, WarningsOfTheSceneAreShown) {
@@ -162,6 +163,130 @@ TEST_F(SessionTest, PausedEditsShowTheirFirstPicture) {
   session.change([](PictureOptions& o) { o.lens = {0.3, 4}; });
   wait([](const Session& s) { return s.picture_is_current(); });
   EXPECT_EQ(session.picture()->rays, 1u);
+}
+
+TEST_F(SessionTest, ANewSceneStartsUnpausedAtExposureZero) {
+  test::put_content(folder_ / "s02a.cli", scene_text);
+  Session& session = open();
+  wait_until_done();
+  execute(ViewCommandKind::pause);
+  execute(ViewCommandKind::brighter);
+  session.execute({ViewCommandKind::load_scene, 2, false}, {});
+  EXPECT_FALSE(session.paused());
+  EXPECT_EQ(session.exposure_halves(), 0);
+  wait_until_done();
+  EXPECT_EQ(session.picture()->rays, 4u);
+}
+
+TEST_F(SessionTest, EscapeClosesWhatIsOpenFirst) {
+  Session& session = open();
+  wait_until_done();
+  session.inspect_at({200, 150});
+  execute(ViewCommandKind::camera);
+  execute(ViewCommandKind::help);
+  execute(ViewCommandKind::escape);
+  EXPECT_FALSE(session.help());
+  EXPECT_TRUE(session.inspection());
+  execute(ViewCommandKind::escape);
+  EXPECT_FALSE(session.inspection());
+  EXPECT_TRUE(session.moves_camera());
+  execute(ViewCommandKind::escape);
+  EXPECT_FALSE(session.moves_camera());
+  EXPECT_FALSE(session.wants_to_quit());
+  execute(ViewCommandKind::escape);
+  EXPECT_TRUE(session.wants_to_quit());
+}
+
+TEST_F(SessionTest, TheScenesOfAFolderFollowEachOther) {
+  std::filesystem::remove(folder_ / "s01a.cli");
+  test::put_content(folder_ / "ant.cli", scene_text);
+  test::put_content(folder_ / "bee.cli", scene_text);
+  Session& session = open();
+  EXPECT_EQ(session.path().filename(), "ant.cli");
+  EXPECT_EQ(session.scenes().size(), 2u);
+  session.execute({ViewCommandKind::next_scene, 1}, {});
+  EXPECT_EQ(session.path().filename(), "bee.cli");
+  session.execute({ViewCommandKind::next_scene, 1}, {});
+  EXPECT_EQ(session.path().filename(), "ant.cli");
+  session.execute({ViewCommandKind::next_scene, -1}, {});
+  EXPECT_EQ(session.path().filename(), "bee.cli");
+}
+
+TEST_F(SessionTest, LightsAndSurfacesAreNamedByLineAndKind) {
+  test::put_content(folder_ / "lamps.cli", "\npoint_light 0 5 0 1 1 1\n");
+  test::put_content(folder_ / "s01a.cli",
+                    scene_text + "read lamps.cli\nsphere 1 3 0 -5\ndiffuse 1 0 0 0 0 0\n\nsphere 1 4 0 -5\n");
+  Session& session = open();
+  wait_until_done();
+  EXPECT_EQ(session.name_of_light(1), "line 4, disk_light");
+  EXPECT_EQ(session.name_of_light(2), (folder_ / "lamps.cli").string() + " line 2, point_light");
+  EXPECT_EQ(session.name_of_surface(1), "line 5, glossy");
+  EXPECT_EQ(session.name_of_surface(2), "line 9, diffuse");
+}
+
+TEST_F(SessionTest, FocusIsWrittenAsPeopleWriteIt) {
+  test::put_content(folder_ / "s01a.cli", "image_size 40 30\ncamera_lens 0.1 1.4 5\nsphere 1 0.3 0.2 -16.0491\n");
+  Session& session = open();
+  wait_until_done();
+  execute(ViewCommandKind::focus);
+  const std::string lines = session.changed_lines();
+  EXPECT_EQ(lines.substr(lines.find("lens")), "lens 0.0357143 15.18\n");
+}
+
+TEST_F(SessionTest, WarningsAreKept) {
+  test::put_content(folder_ / "s01a.cli", "image_size 40 30\nsphere 1 0 0 -5\n");
+  Session& session = open();
+  wait_until_done();
+  ASSERT_EQ(session.warnings().size(), 1u);
+  EXPECT_EQ(session.warnings()[0].message, "there is no light in this picture");
+}
+
+class CameraTest : public SessionTest {
+ protected:
+  // Turns the camera by a drag and waits for the picture.
+  void drag(void (Session::*how)(double, double), double right, double down) {
+    session_->take_hold({200, 150});
+    ((*session_).*how)(right, down);
+    wait([](const Session& s) { return s.picture_is_current() && s.picture()->done && s.camera_lines() != ""; });
+  }
+  // The scene with the copied lines gives the camera that is shown.
+  void expect_lines_to_repeat_the_camera() {
+    const Camera shown = session_->picture()->sides[0].scene->camera;
+    test::put_content(folder_ / "again.cli", scene_text + session_->changed_lines());
+    const LoadedScene again = load_scene(folder_ / "again.cli", {});
+    ASSERT_TRUE(again.scene);
+    EXPECT_EQ(pose_of(again.scene->camera), pose_of(shown));
+    EXPECT_TRUE(again.diagnostics.empty()) << to_string(again.diagnostics.front());
+    EXPECT_LE(session_->camera_lines().size(), 125u) << "too many digits: " << session_->camera_lines();
+  }
+};
+
+TEST_F(CameraTest, TurnsRoundWhatIsHeld) {
+  Session& session = open();
+  wait_until_done();
+  drag(&Session::turn_camera, 60, 20);
+  const Camera& camera = session.picture()->sides[0].scene->camera;
+  EXPECT_NEAR(length(camera.eye - Vec3{0, 0, -4}), 4, 0.01) << "as far from the front of the ball as before";
+  EXPECT_LT(camera.eye.x, 0) << "the ball seems to turn to the right";
+  EXPECT_GT(camera.eye.y, 0) << "and down";
+  EXPECT_NEAR(dot(normalize(Vec3{0, 0, -4} - camera.eye), -camera.back), 1, 1e-3) << "and stays in the middle";
+  expect_lines_to_repeat_the_camera();
+}
+
+TEST_F(CameraTest, MovesAndComesNearer) {
+  Session& session = open();
+  wait_until_done();
+  drag(&Session::move_camera, 40, 0);
+  EXPECT_EQ(session.camera_lines().find("uvw"), std::string::npos) << session.camera_lines();
+  EXPECT_LT(session.picture()->sides[0].scene->camera.eye.x, 0);
+  expect_lines_to_repeat_the_camera();
+  session.forget_changes();
+  wait_until_done();
+  session.bring_camera_nearer(1, {200, 150});
+  session.bring_camera_nearer(1, {200, 150});
+  wait([](const Session& s) { return s.picture_is_current() && s.picture()->done && s.camera_lines() != ""; });
+  EXPECT_NEAR(session.picture()->sides[0].scene->camera.eye.z, -4 + 4 * 0.81, 0.01);
+  expect_lines_to_repeat_the_camera();
 }
 
 }  // namespace

@@ -90,13 +90,15 @@ class KeyTests(Tests):
         window.press("space", lambda s: not s["paused"] and s["rays"] > 1, "more rays")
 
     def test_restart(self):
-        window = self.open_tiny()
+        window = self.open_tiny("--rays", "1000000")
         before = window.wait(lambda s: s["rays"] >= 8, "some rays")
         state = window.press("r", lambda s: s["task"] > before["task"] and current(s), "a new picture")
         assert state["rays"] < 8 or state["task"] > before["task"]
 
     def test_rays(self):
         window = self.open_tiny()
+        state = window.wait_for_rays(4, "the picture rests at what the scene says:")
+        assert state["limit"] == 4 and state["changed"] == "", state["changed"]
         window.press("plus", lambda s: s["limit"] == 8 and current(s) and (s["done"] or s["rays"] > 8), "8 rays")
         window.wait_for_rays(8)
         window.press("plus", lambda s: s["limit"] == 16, "16 rays")
@@ -159,7 +161,7 @@ class KeyTests(Tests):
         self.check_repeats(second)
 
     def test_save_while_it_grows(self):
-        window = self.open_tiny()
+        window = self.open_tiny("--rays", "1000000")
         window.wait(lambda s: s["rays"] >= 4, "a few rays")
         (png,) = self.save(window)
         self.check_repeats(png)
@@ -214,8 +216,53 @@ class KeyTests(Tests):
         assert metadata_of(right)["sampler"] == "random" and metadata_of(right)["rays"] == "8"
         window.press("v", lambda s: not s["split"] and current(s) and len(s["sides"]) == 1, "one picture")
 
+    def test_new_scene(self):
+        """Another scene starts unpaused, at exposure 0, and rests at its own rays per pixel."""
+        self.put("s01a.cli", SCENE)
+        self.put("s01b.cli", SCENE.replace("rays_per_pixel 4", "rays_per_pixel 9"))
+        window = self.open(".")
+        window.wait_for_rays(4)
+        window.press("e", lambda s: s["exposure"] == 0.5, "exposure")
+        window.press("space", lambda s: s["paused"], "a pause")
+        window.press("shift+1", lambda s: s["scene"].endswith("s01b.cli") and not s["paused"] and s["exposure"] == 0,
+                     "the twin")
+        window.wait_for_rays(9)
+
+    def test_scenes_of_a_folder(self):
+        """A folder without s01a.cli: N and Shift+N, and a list."""
+        for name in ("ant", "bee", "cat"):
+            self.put(name + ".cli", SCENE)
+        window = self.open(".")
+        assert window.state["scene"].endswith("ant.cli")
+        for key, scene in (("n", "bee"), ("n", "cat"), ("n", "ant"), ("shift+n", "cat")):
+            window.press(key, lambda s: s["scene"].endswith(scene + ".cli") and current(s), scene)
+        self.click_knob(window, "scene", lambda s: "bee.cli" in s["knobs"])
+        # Escape closes the list, and nothing else.
+        window.press("Escape", lambda s: "bee.cli" not in s["knobs"], "no list")
+        open_list = self.click_knob(window, "scene", lambda s: "bee.cli" in s["knobs"])
+        window.wait(lambda s: s["frame"] > open_list["frame"] + 1, "the list in its place")
+        self.click_knob(window, "bee.cli", lambda s: s["scene"].endswith("bee.cli") and current(s))
+        self.click_knob(window, "previous scene", lambda s: s["scene"].endswith("ant.cli") and current(s))
+        self.click_knob(window, "next scene", lambda s: s["scene"].endswith("bee.cli") and current(s))
+
+    def click_knob(self, window, label, condition):
+        before = window.state["frame"]
+        x, y = window.state["knobs"][label]
+        window.mouse("mousemove", x, y, "mousedown", 1)
+        window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
+        window.mouse("mouseup", 1)
+        return window.wait(condition, "what %s does" % label, since=before)
+
     def test_escape(self):
+        """Escape closes what is open, then the window."""
         window = self.open_tiny()
+        x, y, width, height = window.wait_for_rays(4)["picture"]
+        window.click(x + width * 0.36, y + height * 0.5)
+        window.wait(lambda s: "inspection" in s, "the inspector")
+        window.press("h", lambda s: s["help"], "help")
+        state = window.press("Escape", lambda s: not s["help"], "no help")
+        assert "inspection" in state, "one thing at a time"
+        window.press("Escape", lambda s: "inspection" not in s, "no inspector")
         window.key("Escape")
         assert window.process.wait(DEADLINE) == 0
 

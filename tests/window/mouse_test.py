@@ -1,6 +1,6 @@
-"""Resizing, zoom, pan and the knobs of the panel."""
+"""Resizing, zoom, pan, the camera and the knobs of the panel."""
 
-import os
+import re
 import sys
 
 from harness import Tests
@@ -14,7 +14,7 @@ def shown(state):
 class MouseTests(Tests):
     def open_tiny(self):
         self.put("tiny.cli", SCENE)
-        window = self.open("tiny.cli", "--rays", "4")
+        window = self.open("tiny.cli", "--rays", "4", "--window", "1280x880")
         window.wait(shown, "the picture")
         return window
 
@@ -33,6 +33,21 @@ class MouseTests(Tests):
             assert x >= 0 and y >= 0 and x + w <= width and y + h <= height, state
             window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
             self.check_seen(window)
+
+    def test_scale(self):
+        """Everything but the picture has the size that --scale asks for."""
+        self.put("tiny.cli", SCENE)
+        places = []
+        for scale in ("1", "2"):
+            window = self.open("tiny.cli", "--rays", "4", "--window", "1280x880", "--scale", scale)
+            state = window.wait(shown, "the picture")
+            x, y, width, height = state["picture"]
+            assert x + width < state["knobs"]["lens radius"][0] and y + height < 880, state["picture"]
+            places.append(state["knobs"]["lens radius"])
+            self.check_seen(window)
+            window.close()
+        (x1, y1), (x2, y2) = places
+        assert abs((1280 - x2) - 2 * (1280 - x1)) < 20 and abs(y2 - 2 * y1) < 8, places
 
     def test_zoom(self):
         window = self.open_tiny()
@@ -59,6 +74,37 @@ class MouseTests(Tests):
         state = window.wait(lambda s: s["picture"][:2] == [x + 30, y + 20], "the picture elsewhere")
         window.wait(lambda s: s["frame"] > state["frame"] + 1, "frames after it")
         self.check_seen(window)
+
+    def test_camera(self):
+        """After O, the mouse turns, moves and brings nearer the camera; the copied lines make the same picture."""
+        window = self.open_tiny()
+        x, y, width, height = window.state["picture"]
+        middle = (x + width // 2, y + height // 2)
+        window.press("o", lambda s: s["camera"], "the camera")
+        ways = (("mousedown", 1, "mousemove", middle[0] + 50, middle[1] + 10, "mouseup", 1),
+                ("mousedown", 3, "mousemove", middle[0] - 30, middle[1] + 20, "mouseup", 3),
+                ("keydown", "shift", "mousedown", 1, "mousemove", middle[0] + 30, middle[1], "mouseup", 1, "keyup",
+                 "shift"),
+                ("click", 4))
+        for number, way in enumerate(ways):
+            eye = window.state["eye"]
+            before = window.state["frame"]
+            window.mouse("mousemove", *middle, *way)
+            window.wait(lambda s: s["eye"] != eye and shown(s), "another place of the eye", since=before)
+            self.window_rests(window)
+            state = window.state
+            assert state["picture"] == [x, y, width, height], "the picture itself stays"
+            lines = state["changed"]
+            assert lines.startswith("eye ") and "\nuvw " in lines, lines
+            uvw = lines.splitlines()[1]
+            assert number == 0 or uvw == turned, "only the first drag should turn: " + lines
+            turned = uvw
+            window.picture_shot(self.path("seen.png"))
+            self.put("changed.cli", SCENE + lines)
+            self.assert_same_picture(self.path("seen.png"), self.render(self.path("changed.cli"), "it.png"))
+        window.press("o", lambda s: not s["camera"], "the mouse has the picture again")
+        window.mouse("mousemove", *middle, "mousedown", 1, "mousemove", middle[0] + 30, middle[1] + 20, "mouseup", 1)
+        window.wait(lambda s: s["picture"][:2] == [x + 30, y + 20], "the picture elsewhere")
 
     def drag_knob(self, window, label, changed, distance=40):
         before = window.state["frame"]
@@ -87,14 +133,16 @@ class MouseTests(Tests):
                  ("focus distance", lambda s: s["lens"][1] != 5, "lens "),
                  ("shutter opens", lambda s: s["shutter"][0] != 0, "shutter "),
                  ("shutter closes", lambda s: s["shutter"][1] != 1, "shutter "),
-                 ("disk radius, light 1", lambda s: "disk_light" in s["changed"], "disk_light 2 5 -1 "),
-                 ("gloss, surface 1", lambda s: "glossy" in s["changed"], "glossy 0.3 0.1 0.1 0.4 0.4 0.4 20 0.4 "),
-                 ("gloss, surface 2", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
-                 ("blur, surface 2", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
+                 ("line 6, disk_light: radius", lambda s: "disk_light" in s["changed"], "disk_light 2 5 -1 "),
+                 ("line 7, glossy: gloss", lambda s: "glossy" in s["changed"], "glossy 0.3 0.1 0.1 0.4 0.4 0.4 20 0.4 "),
+                 ("line 10, translucent: gloss", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
+                 ("line 10, translucent: blur", lambda s: "translucent" in s["changed"], "translucent 0.1 0.3 0.1 "),
                  ("max depth", lambda s: s["max_depth"] != 8, "max_depth "))
         for label, changed, line in knobs:
             state = self.drag_knob(window, label, changed, distance=20)
             assert line in state["changed"], state["changed"]
+            for number in re.findall(r"[\d.]+", state["changed"]):
+                assert len(number.replace(".", "").strip("0")) <= 4, "a number nobody writes: " + state["changed"]
             window.picture_shot(self.path("seen.png"))
             self.put("changed.cli", self.with_lines(state["changed"]))
             self.assert_same_picture(self.path("seen.png"), self.render(self.path("changed.cli"), "it.png"))

@@ -62,6 +62,30 @@ class ReloadTests(Tests):
         window.picture_shot(self.path("after.png"))
         self.assert_same_picture(self.path("before.png"), self.path("after.png"))
 
+    def test_error_is_seen_at_once(self):
+        """The box of an error is there without an event, in the size of its text; so is that of the next error."""
+        window = self.open_tiny()
+        longer = BROKEN + "spheer 1 2 3 4\nbox 1 2\ncone a b c d e\nlight 1 1 1 and a word that makes the line longer\n"
+        for number, text in enumerate((BROKEN, longer, BROKEN)):
+            before = window.state
+            self.put("tiny.cli", text)
+            state = window.wait(lambda s: s["error"] and s["task"] > before["task"] and s["error"] != before["error"],
+                                "an error", since=before["frame"])
+            x, y, width, height = state["picture"]
+            area = [0, 0, x + width, y + height]
+            window.screenshot(self.path("at-once.png"), area)
+            frame = state["frame"]
+            window.move(x + width // 2 + number, y + height - 3)
+            window.wait(lambda s: s["frame"] > frame + 2, "frames after the mouse has moved", since=frame)
+            window.screenshot(self.path("settled.png"), area)
+            self.assert_same_picture(self.path("at-once.png"), self.path("settled.png"))
+            assert window.state["error_box"] == state["error_box"], (number, state["error_box"])
+            rows = window.screen.rgb(*state["error_box"])
+            red, green = rows[len(rows) // 2][12], rows[len(rows) // 2][13]
+            assert red > 2 * green, "the left edge of the box should be red: %s" % rows[len(rows) // 2][:30].hex()
+        self.save_and_wait(window, SCENE)
+        assert "error_box" not in window.state
+
     def test_file_goes_and_comes_back(self):
         window = self.open_tiny()
         before = window.state["frame"]

@@ -71,7 +71,9 @@ CommandOption command_option(const PictureOption& row, PictureOptions& options) 
 std::vector<CommandOption> picture_options(PictureOptions& options, bool of_window) {
   std::vector<CommandOption> result;
   for (const PictureOption& row : option_table()) {
-    if (!of_window || row.use == OptionUse::everywhere) result.push_back(command_option(row, options));
+    if (of_window && row.use != OptionUse::everywhere) continue;
+    result.push_back(command_option(row, options));
+    if (of_window && !row.help_of_view.empty()) result.back().help = row.help_of_view;
   }
   return result;
 }

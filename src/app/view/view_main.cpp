@@ -26,8 +26,7 @@ std::string take_window_size(WindowOptions& window, std::string_view text) {
   if (n.size() != 2 || n[0] < 480 || n[1] < 320 || n[0] > 16384 || n[1] > 16384) {
     return expected(text, "WxH from 480x320 to 16384x16384");
   }
-  window.width = n[0];
-  window.height = n[1];
+  window.size = {n[0], n[1]};
   return {};
 }
 
@@ -71,13 +70,18 @@ int main(int argc, char** argv) {
   Subcommand view{
       "penumbra view", "The window: watch, change and inspect a picture. H lists the keys.", {}, {}, {}, {}, {}, {}};
   view.options = picture_options(options.session.picture, true);
-  view.options.insert(
-      view.options.begin(),
-      {"SCENE", "FILE", "A scene file (.cli), or a folder: 1-9 load s01a.cli .. s09a.cli [.]", into(options.given)});
+  view.options.insert(view.options.begin(),
+                      {"SCENE", "FILE",
+                       "A scene file (.cli), or a folder of them: N and Shift+N show the next and the previous one [.]",
+                       into(options.given)});
   view.options.push_back(paths_option(options.session.picture));
   for (CommandOption& option : machine_options(options.machine)) view.options.push_back(std::move(option));
-  view.options.push_back({"--window", "WxH", "Initial size of the window in pixels, WxH [1280x760]",
+  view.options.push_back({"--window", "WxH", "Initial size of the window in pixels [1280x760 at scale 1]",
                           [&options](std::string_view text) { return take_window_size(options.window, text); }});
+  view.options.push_back(
+      {"--scale", "F", "Size of texts and knobs, from 1 to 4 [that of the screen]", [&options](std::string_view text) {
+         return parse_number(text, 1, largest_scale, "a number from 1 to 4", options.window.scale);
+       }});
   view.options.push_back({"--report", "FILE", "", into(options.window.report), Times::once, false, true});
   view.run = [&options] { return open_window(options); };
   return run_command_line(view, argc, argv);

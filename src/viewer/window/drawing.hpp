@@ -2,33 +2,18 @@
 // the scene (panel.cpp).
 #pragma once
 
-#include <imgui.h>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "viewer/session.hpp"
+#include "viewer/window/theme.hpp"
 
 namespace penumbra {
 
-// A place in the window, in pixels, as Dear ImGui takes it.
-inline ImVec2 place(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-
-// Help, errors and messages over the picture, and the status line below it.
-inline constexpr int status_height = 26;  // pixels
-
-void draw_overlays(const Session& session, int window_width, int window_height);
-
-// Scene, rays per pixel, rays per second, time, sampler, estimated error.
-std::string status_line(const Session& session);
-
-// The rays of an inspected sample as lines over the picture and as text, and where the samples lie. Returns the area of
-// its text and plots, if they are shown.
-std::optional<WindowArea> draw_inspector(const Session& session);
-
-// The knobs, to the right of the picture. Every change redraws the picture at once.
-inline constexpr int panel_width = 280;  // pixels
+// On a screen of 96 dots per inch.
+inline constexpr int panel_width = 300;
+inline constexpr int status_height = 30;
 
 // Where a knob is: the middle of what can be dragged or clicked.
 struct KnobPlace {
@@ -36,7 +21,26 @@ struct KnobPlace {
   int x = 0, y = 0;
 };
 
-// Returns the places of all knobs.
-std::vector<KnobPlace> draw_panel(Session& session, int window_width, int window_height);
+// Where things were drawn in a frame.
+struct Drawn {
+  int width = 0, height = 0;  // of the window
+  std::vector<KnobPlace> knobs;
+  std::optional<WindowArea> inspector, error, help;
+};
+
+// Help, errors and messages over the picture, and the status line below it.
+void draw_overlays(const Session& session, Drawn& drawn);
+
+// Scene, rays per pixel, rays per second, time, sampler, estimated error.
+std::string status_line(const Session& session);
+
+// The rays of an inspected sample as lines over the picture and as text, and where the samples lie.
+void draw_inspector(const Session& session, Drawn& drawn);
+
+// Copies the changed settings as lines of the scene, and says so.
+void copy_changes(Session& session);
+
+// The knobs, to the right of the picture. Every change redraws the picture at once.
+void draw_panel(Session& session, Drawn& drawn);
 
 }  // namespace penumbra

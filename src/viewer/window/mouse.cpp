@@ -25,19 +25,26 @@ bool Mouse::is_over_picture(const Session& session, PlaceInWindow place) const {
   return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-void Mouse::press(const Session& session) {
-  if (!is_over_picture(session, cursor_)) return;
+void Mouse::press(const Session& session, std::uint8_t button) {
+  const bool is_right = button == SDL_BUTTON_RIGHT;
+  if (button != SDL_BUTTON_LEFT && !(is_right && session.moves_camera())) return;
+  if (dragging_ != Dragging::nothing || !is_over_picture(session, cursor_)) return;
+  button_ = button;
   pressed_ = cursor_;
   const bool at_divider = session.split() && std::abs(cursor_.x - divider_in_window(session)) <= divider_reach;
   dragging_ = at_divider ? Dragging::divider : Dragging::press;
+  moves_ = is_right || shift_;
 }
 
 void Mouse::move(Session& session, PlaceInWindow to) {
   const bool far = std::abs(to.x - pressed_.x) > click_reach || std::abs(to.y - pressed_.y) > click_reach;
   if (dragging_ == Dragging::press && far) {
-    dragging_ = Dragging::picture;
+    dragging_ = !session.moves_camera() ? Dragging::picture : moves_ ? Dragging::move : Dragging::turn;
     cursor_ = pressed_;
+    if (session.moves_camera()) session.take_hold(pressed_);
   }
+  if (dragging_ == Dragging::turn) session.turn_camera(to.x - pressed_.x, to.y - pressed_.y);
+  if (dragging_ == Dragging::move) session.move_camera(to.x - pressed_.x, to.y - pressed_.y);
   if (dragging_ == Dragging::picture) session.view().pan(to.x - cursor_.x, to.y - cursor_.y);
   if (dragging_ == Dragging::divider) {
     const WindowArea picture = session.view().picture();
@@ -48,21 +55,30 @@ void Mouse::move(Session& session, PlaceInWindow to) {
 
 void Mouse::handle(Session& session, const SDL_Event& event) {
   switch (event.type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      shift_ = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+      break;
     case SDL_MOUSEMOTION:
       move(session, place_of(event.motion.x, event.motion.y));
       break;
     case SDL_MOUSEBUTTONDOWN:
       move(session, place_of(event.button.x, event.button.y));
-      if (event.button.button == SDL_BUTTON_LEFT) press(session);
+      press(session, event.button.button);
       break;
     case SDL_MOUSEBUTTONUP:
       move(session, place_of(event.button.x, event.button.y));
-      if (event.button.button != SDL_BUTTON_LEFT) break;
-      if (dragging_ == Dragging::press) click_ = cursor_;
+      if (event.button.button != button_) break;
+      if (dragging_ == Dragging::press && button_ == SDL_BUTTON_LEFT) click_ = cursor_;
       dragging_ = Dragging::nothing;
       break;
     case SDL_MOUSEWHEEL:
-      if (is_over_picture(session, cursor_)) session.view().zoom(event.wheel.y, cursor_);
+      if (!is_over_picture(session, cursor_)) break;
+      if (session.moves_camera()) {
+        session.bring_camera_nearer(event.wheel.y, cursor_);
+      } else {
+        session.view().zoom(event.wheel.y, cursor_);
+      }
       break;
     default:
       break;

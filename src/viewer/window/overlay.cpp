@@ -1,59 +1,42 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "viewer/window/boxes.hpp"
 #include "viewer/window/drawing.hpp"
 
 namespace penumbra {
 namespace {
 
-constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
-
-void draw_status(const Session& session, int width, int height) {
-  ImGui::SetNextWindowPos(place(0, height - status_height));
-  ImGui::SetNextWindowSize(place(width, status_height));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, place(1, 1));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, place(8, 5));
-  if (ImGui::Begin("status", nullptr, fixed)) ImGui::TextUnformatted(status_line(session).c_str());
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+void draw_status(const Session& session, int height) {
+  const float width = static_cast<float>(session.view().area().width);
+  const float bar = scaled(status_height), top = static_cast<float>(height) - bar, inset = scaled(14);
+  ImFont* const letters = font(Font::text);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({0, top}, {width, top + bar}, colors::panel);
+  const auto width_of = [letters](const std::string& text) {
+    return letters->CalcTextSizeA(letters->FontSize, FLT_MAX, 0, text.c_str()).x;
+  };
+  const auto add = [&](const std::string& text, float x) {
+    list.AddText(letters, letters->FontSize, {std::floor(x), std::floor(top + (bar - letters->FontSize) / 2)},
+                 colors::quiet, text.c_str());
+  };
+  const std::string text = status_line(session), hint = "H  help";
+  add(text, inset);
+  const float hint_at = width - inset - width_of(hint);
+  if (inset + width_of(text) + inset < hint_at) add(hint, hint_at);
 }
 
-void draw_help(const Session& session) {
-  const WindowArea area = session.view().area();
-  ImGui::SetNextWindowPos(place(area.x + area.width / 2.0, area.y + area.height / 2.0), 0, place(0.5, 0.5));
-  ImGui::SetNextWindowBgAlpha(0.92f);
-  if (ImGui::Begin("help", nullptr, fixed | ImGuiWindowFlags_AlwaysAutoResize)) {
-    for (const KeyHelp& line : key_help) {
-      ImGui::TextColored({1, 0.85f, 0.4f, 1}, "%-12s", line.keys);
-      ImGui::SameLine();
-      ImGui::TextUnformatted(line.meaning);
-    }
-  }
-  ImGui::End();
-}
-
-void draw_error(const Session& session) {
-  const WindowArea area = session.view().area();
-  ImGui::SetNextWindowPos(place(area.x + 12, area.y + 12));
-  ImGui::SetNextWindowSizeConstraints(place(0, 0), place(area.width - 24, area.height - 24));
-  ImGui::SetNextWindowBgAlpha(0.92f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.35f, 0.05f, 0.05f, 1});
-  if (ImGui::Begin("error", nullptr, fixed | ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::TextUnformatted(session.error().c_str());
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-}
-
-void draw_message(const Session& session) {
-  const WindowArea area = session.view().area();
-  ImGui::SetNextWindowPos(place(area.x + area.width / 2.0, area.y + area.height - 12), 0, place(0.5, 1));
-  ImGui::SetNextWindowBgAlpha(0.85f);
-  if (ImGui::Begin("message", nullptr, fixed | ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::TextUnformatted(session.message().c_str());
-  }
-  ImGui::End();
+// Over the picture, or over the whole window where that is too narrow.
+WindowArea draw_help(const Session& session, const Drawn& drawn) {
+  const WindowArea& area = session.view().area();
+  const WindowArea bounds =
+      static_cast<float>(area.width) > scaled(800) ? area : WindowArea{0, 0, drawn.width, drawn.height};
+  std::vector<BoxLine> lines;
+  for (const KeyHelp& line : key_help) lines.push_back({line.keys, line.meaning});
+  return draw_box(lines, {Font::text, colors::panel, colors::line}, bounds, {0.5f, 0.5f});
 }
 
 std::string error_text(const std::optional<double>& error) { return error ? fmt::format("{:.4f}", *error) : "-"; }
@@ -81,11 +64,16 @@ std::string status_line(const Session& session) {
   return text;
 }
 
-void draw_overlays(const Session& session, int window_width, int window_height) {
-  draw_status(session, window_width, window_height);
-  if (!session.error().empty()) draw_error(session);
-  if (!session.message().empty()) draw_message(session);
-  if (session.help()) draw_help(session);
+void draw_overlays(const Session& session, Drawn& drawn) {
+  draw_status(session, drawn.height);
+  const WindowArea& area = session.view().area();
+  constexpr BoxStyle error_style{Font::mono, colors::error_box, colors::error_line};
+  if (!session.error().empty()) drawn.error = draw_box(lines_of(session.error()), error_style, area, {0, 0});
+  if (session.moves_camera()) {
+    draw_box(lines_of("Camera: drag turns, Shift and drag moves, the wheel brings nearer"), {}, area, {0.5f, 0});
+  }
+  if (!session.message().empty()) draw_box(lines_of(session.message()), {}, area, {0.5f, 1});
+  if (session.help()) drawn.help = draw_help(session, drawn);
 }
 
 }  // namespace penumbra

@@ -1,140 +1,169 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "picture/option_table.hpp"
 #include "viewer/window/drawing.hpp"
+#include "viewer/window/knobs.hpp"
 
 namespace penumbra {
 namespace {
 
-using Places = std::vector<KnobPlace>;
+// A heading of the panel and the options whose knobs stand below it. With `each_side`, each half of a split view has
+// its own.
+struct Section {
+  std::string_view heading;
+  std::vector<std::string_view> options;
+  bool each_side = false;
+};
 
-// Records where the last widget is.
-void add_place(Places& places, const std::string& label) {
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  // The rectangle may include a label on the right.
-  places.push_back(
-      {label, static_cast<int>(low.x + std::min(high.x - low.x, 20.0f) / 2), static_cast<int>((low.y + high.y) / 2)});
+const std::array<Section, 6>& sections() {
+  static const std::array<Section, 6> all = {{{"Camera", {"lens", "shutter"}},
+                                              {"Lights", {"disk-radius"}},
+                                              {"Surfaces", {"gloss", "blur"}},
+                                              {"Rays", {"max-depth", "seed"}},
+                                              {"Samples", {"sampler"}, true},
+                                              {"Effects", {"without"}, true}}};
+  return all;
 }
 
-void draw_rays(Places& places, Session& session) {
+void heading(std::string_view text) {
+  ImGui::Dummy(place(0, scaled(5)));
+  ImGui::PushFont(font(Font::heading));
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopFont();
+}
+
+void draw_scenes(Drawn& drawn, Session& session) {
+  const float button = ImGui::GetFrameHeight();
+  const auto step = [&](const char* label, ImGuiDir direction, int by) {
+    if (ImGui::ArrowButton(label, direction)) session.execute({ViewCommandKind::next_scene, by}, {});
+    add_place(drawn.knobs, label);
+  };
+  step("previous scene", ImGuiDir_Left, -1);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+  const std::string now = session.path().filename().string();
+  const bool open = ImGui::BeginCombo("##scene", now.c_str(), ImGuiComboFlags_HeightLarge);
+  add_place(drawn.knobs, "scene");
+  if (open) {
+    close_with_escape();
+    for (const std::filesystem::path& scene : session.scenes()) {
+      const bool is_shown = scene == session.path();
+      if (ImGui::Selectable(scene.filename().string().c_str(), is_shown) && !is_shown) session.open(scene);
+      add_place(drawn.knobs, scene.filename().string());
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  step("next scene", ImGuiDir_Right, 1);
+}
+
+void draw_warnings(const Session& session) {
+  constexpr std::size_t most = 3;
+  ImGui::PushStyleColor(ImGuiCol_Text, colors::accent);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::vector<Diagnostic>& warnings = session.warnings();
+  for (std::size_t i = 0; i < std::min(most, warnings.size()); i++) {
+    const std::string line = warnings[i].line > 0 ? fmt::format("line {}: ", warnings[i].line) : std::string();
+    ImGui::TextUnformatted(wrapped(Font::text, line + warnings[i].message, width).c_str());
+  }
+  if (warnings.size() > most) ImGui::Text("and %zu more; `penumbra check` lists them", warnings.size() - most);
+  ImGui::PopStyleColor();
+}
+
+void draw_rays(Drawn& drawn, Session& session) {
   int limit = static_cast<int>(session.limit());
-  ImGui::SetNextItemWidth(110);
-  if (ImGui::InputInt("rays per pixel", &limit, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) {
+  label("rays per pixel");
+  if (ImGui::InputInt("##rays", &limit, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) {
     session.set_limit(static_cast<std::uint32_t>(std::clamp(limit, 0, most_rays_per_pixel)));
   }
-  add_place(places, "rays per pixel");
-  ImGui::TextDisabled(session.limit() == 0 ? "0: as long as you look" : "the scene says %d",
-                      session.scene()->settings.rays_per_pixel);
+  add_place(drawn.knobs, "rays per pixel");
+  const int own = session.scene()->settings.rays_per_pixel;
+  if (static_cast<int>(session.limit()) != own) ImGui::TextDisabled("the scene says %d", own);
 }
 
-// Draws a choice of several names. True if another one was chosen.
-bool choose(const Knob& knob, double& value) {
-  const std::size_t now = static_cast<std::size_t>(value);
-  bool changed = false;
-  const bool open = ImGui::BeginCombo(knob.label.c_str(), knob.choices[now].data());
-  if (!open) return false;
-  for (std::size_t i = 0; i < knob.choices.size(); i++) {
-    if (!ImGui::Selectable(knob.choices[i].data(), i == now)) continue;
-    value = static_cast<double>(i);
-    changed = true;
-  }
-  ImGui::EndCombo();
-  return changed;
+// The camera as lines of the scene, once the mouse has moved it.
+void draw_camera(Drawn& drawn, Session& session) {
+  bool moves = session.moves_camera();
+  if (ImGui::Checkbox("the mouse moves the camera", &moves)) session.execute({ViewCommandKind::camera}, {});
+  add_place(drawn.knobs, "camera");
+  const std::string lines = session.camera_lines();
+  if (lines.empty()) return;
+  ImGui::PushFont(font(Font::mono));
+  ImGui::TextDisabled("%s", wrapped(Font::mono, lines, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopFont();
 }
 
-// Draws a knob. True if the user changed its value.
-bool turn(const Knob& knob, double& value) {
-  switch (knob.kind) {
-    case Knob::Kind::real: {  // dragged in steps proportional to its value
-      const auto speed = static_cast<float>(std::max(std::abs(value) * 0.01, 0.002));
-      return ImGui::DragScalar(knob.label.c_str(), ImGuiDataType_Double, &value, speed, &knob.low, &knob.high, "%.4g",
-                               ImGuiSliderFlags_AlwaysClamp);
-    }
-    case Knob::Kind::whole: {
-      auto number = static_cast<std::uint32_t>(value);
-      const std::uint32_t one = 1;
-      const bool changed = ImGui::InputScalar(knob.label.c_str(), ImGuiDataType_U32, &number, &one);
-      value = std::clamp(static_cast<double>(number), knob.low, knob.high);
-      return changed;
-    }
-    case Knob::Kind::slider: {
-      int number = static_cast<int>(value);
-      const bool changed = ImGui::SliderInt(knob.label.c_str(), &number, static_cast<int>(knob.low),
-                                            static_cast<int>(knob.high), "%d", ImGuiSliderFlags_AlwaysClamp);
-      value = number;
-      return changed;
-    }
-    case Knob::Kind::choice:
-      return choose(knob, value);
-    case Knob::Kind::toggle: {
-      bool on = value != 0;
-      const bool changed = ImGui::Checkbox(knob.label.c_str(), &on);
-      value = on ? 1 : 0;
-      return changed;
-    }
-  }
-  return false;
-}
-
-// The knobs of all options that both sides share, or of those that each side has separately.
-void draw_options(Places& places, Session& session, bool each_side, int side) {
-  const Scene scene = each_side ? session.changed_scene(side) : session.scene_with_all_effects();
-  for (const PictureOption& row : option_table()) {
-    if (!row.knobs || row.each_side != each_side) continue;
-    for (const Knob& knob : row.knobs(scene, session.options(side))) {
-      double value = knob.value;
-      const bool changed = turn(knob, value);
-      add_place(places, each_side ? fmt::format("{} {}", knob.label, side) : knob.label);
-      if (!changed) continue;
-      const auto set = [&](PictureOptions& options) { knob.set(options, value); };
-      if (each_side) {
-        session.change_side(side, set);
-      } else {
-        session.change(set);
-      }
-    }
+void apply(Session& session, const Section& section, int side, const TurnedKnob& turned) {
+  const auto set = [&](PictureOptions& options) { turned.knob.set(options, turned.value); };
+  if (section.each_side) {
+    session.change_side(side, set);
+  } else {
+    session.change(set);
   }
 }
 
-Places draw_knobs(Session& session) {
-  Places places;
-  draw_rays(places, session);
-  ImGui::Separator();
-  draw_options(places, session, false, 0);
-  ImGui::Separator();
-  for (int side = 0; side < session.side_count(); side++) {
-    if (session.split()) ImGui::TextDisabled(side == 0 ? "left" : "right");
-    ImGui::PushID(side);
-    draw_options(places, session, true, side);
-    ImGui::PopID();
+void draw_section(Drawn& drawn, Session& session, const Section& section, int side) {
+  const Scene scene = section.each_side ? session.changed_scene(side) : session.scene_with_all_effects();
+  std::vector<Knob> knobs;
+  for (const std::string_view name : section.options) {
+    for (Knob& knob : option_named(name).knobs(scene, session.options(side))) knobs.push_back(std::move(knob));
   }
-  ImGui::Separator();
+  if (knobs.empty()) return;
+  std::stable_sort(knobs.begin(), knobs.end(), [](const Knob& a, const Knob& b) { return a.surface < b.surface; });
+  heading(section.each_side && session.split() ? fmt::format("{}, {}", section.heading, side == 0 ? "left" : "right")
+                                               : section.heading);
+  ImGui::PushID(side);
+  if (const auto turned = draw_knobs(drawn.knobs, session, scene, knobs, section.each_side ? side : -1)) {
+    apply(session, section, side, *turned);
+  }
+  ImGui::PopID();
+}
+
+void draw_buttons(Drawn& drawn, Session& session) {
+  ImGui::Dummy(place(0, scaled(5)));
   if (ImGui::Button("As in the file")) session.forget_changes();
-  add_place(places, "As in the file");
+  add_place(drawn.knobs, "As in the file");
   ImGui::SameLine();
-  ImGui::TextDisabled("H: keys");
-  return places;
+  if (ImGui::Button("Copy changes")) copy_changes(session);
+  add_place(drawn.knobs, "Copy changes");
+}
+
+void draw_contents(Drawn& drawn, Session& session) {
+  draw_scenes(drawn, session);
+  if (!session.scene()) return;
+  draw_warnings(session);
+  draw_rays(drawn, session);
+  for (const Section& section : sections()) {
+    for (int side = 0; side < (section.each_side ? session.side_count() : 1); side++) {
+      draw_section(drawn, session, section, side);
+    }
+    if (section.heading == "Camera") draw_camera(drawn, session);
+  }
+  draw_buttons(drawn, session);
 }
 
 }  // namespace
 
-std::vector<KnobPlace> draw_panel(Session& session, int window_width, int window_height) {
-  ImGui::SetNextWindowPos(place(window_width - panel_width, 0));
-  ImGui::SetNextWindowSize(place(panel_width, window_height - status_height));
+void copy_changes(Session& session) {
+  const std::string lines = session.changed_lines();
+  if (lines.empty()) return session.say("nothing has been changed");
+  ImGui::SetClipboardText(lines.c_str());
+  session.say("copied:\n" + lines);
+}
+
+void draw_panel(Session& session, Drawn& drawn) {
+  const float width = scaled(panel_width);
+  ImGui::SetNextWindowPos({static_cast<float>(drawn.width) - width, 0});
+  ImGui::SetNextWindowSize({width, static_cast<float>(drawn.height)});
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                      ImGuiWindowFlags_NoNav;
-  Places places;
-  if (ImGui::Begin("panel", nullptr, flags)) {
-    ImGui::PushItemWidth(110);
-    if (session.scene()) places = draw_knobs(session);
-    ImGui::PopItemWidth();
-  }
+  if (ImGui::Begin("panel", nullptr, flags)) draw_contents(drawn, session);
   ImGui::End();
-  return places;
 }
 
 }  // namespace penumbra

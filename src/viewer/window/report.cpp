@@ -6,13 +6,21 @@
 #include "base/json_text.hpp"
 
 namespace penumbra {
+namespace {
+
+std::array<double, 3> in_array(Vec3 v) { return {v.x, v.y, v.z}; }
+
+void add_area(Json& line, const char* key, const std::optional<WindowArea>& area) {
+  if (area) line[key] = std::array{area->x, area->y, area->width, area->height};
+}
+
+}  // namespace
 
 Report::Report(const std::filesystem::path& file) {
   if (!file.empty()) file_.open(file, std::ios::app);
 }
 
-void Report::frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-                   const std::vector<KnobPlace>& knob_places, const std::optional<WindowArea>& inspector, bool typing) {
+void Report::frame(const Session& session, std::uint64_t events, const Drawn& drawn, bool typing) {
   if (!file_.is_open()) return;
   const auto& picture = session.picture();
   const Scene scene = session.scene_with_all_effects();
@@ -39,11 +47,13 @@ void Report::frame(const Session& session, int window_width, int window_height, 
       {"divider", session.divider()},
       {"exposure", session.exposure_halves() / 2.0},
       {"limit", session.limit()},
+      {"camera", session.moves_camera()},
+      {"eye", in_array(camera.eye)},
       {"lens", std::array{camera.lens_radius, camera.focus_distance}},
       {"shutter", std::array{camera.shutter_open, camera.shutter_close}},
       {"seed", scene.settings.seed},
       {"max_depth", scene.settings.max_depth},
-      {"window", std::array{window_width, window_height}},
+      {"window", std::array{drawn.width, drawn.height}},
       {"picture", std::array{place.x, place.y, place.width, place.height}},
       {"zoom", session.view().zoom_factor()},
       {"changed", session.changed_lines()},
@@ -58,9 +68,11 @@ void Report::frame(const Session& session, int window_width, int window_height, 
                                        {"plots", inspection->plots.size()},
                                        {"so_far", inspection->so_far}});
   }
-  if (inspector) line["inspector"] = std::array{inspector->x, inspector->y, inspector->width, inspector->height};
+  add_area(line, "inspector", drawn.inspector);
+  add_area(line, "error_box", drawn.error);
+  add_area(line, "help_box", drawn.help);
   Json& places = line["knobs"] = Json::object();
-  for (const KnobPlace& knob : knob_places) places[knob.label] = std::array{knob.x, knob.y};
+  for (const KnobPlace& knob : drawn.knobs) places[knob.label] = std::array{knob.x, knob.y};
   Json::Array sides;
   for (std::size_t i = 0; picture && i < picture->sides.size(); i++) {
     const RefinedSide& side = picture->sides[i];

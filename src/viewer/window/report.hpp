@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "viewer/session.hpp"
 #include "viewer/window/drawing.hpp"
@@ -15,8 +14,7 @@ class Report {
   // Appends to `file`; an empty name reports nothing.
   explicit Report(const std::filesystem::path& file);
 
-  void frame(const Session& session, int window_width, int window_height, std::uint64_t events,
-             const std::vector<KnobPlace>& knobs, const std::optional<WindowArea>& inspector, bool typing);
+  void frame(const Session& session, std::uint64_t events, const Drawn& drawn, bool typing);
 
  private:
   std::ofstream file_;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <tuple>
 
 #include "viewer/input_map.hpp"
 #include "viewer/window/drawing.hpp"
@@ -49,14 +50,14 @@ class Wakeup {
 class WindowLoop {
  public:
   WindowLoop(const SessionOptions& session_options, const WindowOptions& options)
-      : window_("Penumbra", options.width, options.height),
-        report_(options.report),
-        session_(session_options, [this] { wakeup_.call(); }) {}
+      : window_("Penumbra", options), report_(options.report), session_(session_options, [this] { wakeup_.call(); }) {}
 
   void run() {
     while (!session_.wants_to_quit()) {
       wait_for_events();
-      if (session_.poll()) draw_at(Clock::now());
+      const SessionNews news = session_.poll();
+      if (news != SessionNews::none) draw_at(Clock::now());
+      if (news == SessionNews::layout) frames_to_settle_ = frames_after_event;
       if (Clock::now() >= next_draw_) draw();
     }
   }
@@ -100,7 +101,7 @@ class WindowLoop {
         execute({ViewCommandKind::quit});
         break;
       case SDL_KEYDOWN:
-        if (!typing) execute(command_of_key(pressed_key(event.key)));
+        if (!typing && !is_for_popup(event.key)) execute(command_of_key(pressed_key(event.key)));
         break;
       case SDL_TEXTINPUT:
         if (!typing) execute(command_of_text(event.text.text));
@@ -114,6 +115,12 @@ class WindowLoop {
     }
   }
 
+  // Escape closes an open list first (close_with_escape()).
+  static bool is_for_popup(const SDL_KeyboardEvent& key) {
+    return key.keysym.scancode == SDL_SCANCODE_ESCAPE &&
+           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  }
+
   static PressedKey pressed_key(const SDL_KeyboardEvent& key) {
     return {key.keysym.scancode, key.keysym.sym, (key.keysym.mod & KMOD_SHIFT) != 0,
             (key.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0, key.repeat != 0};
@@ -121,34 +128,29 @@ class WindowLoop {
 
   void execute(const ViewCommand& command) {
     session_.execute(command, mouse_.cursor());
-    if (command.kind == ViewCommandKind::copy) copy();
-  }
-
-  void copy() {
-    const std::string lines = session_.changed_lines();
-    if (lines.empty()) return session_.say("nothing has been changed");
-    SDL_SetClipboardText(lines.c_str());
-    session_.say("copied:\n" + lines);
+    if (command.kind == ViewCommandKind::copy) copy_changes(session_);
   }
 
   void draw() {
-    const auto [width, height] = window_.size();
-    session_.view().set_area({0, 0, std::max(width - panel_width, 1), std::max(height - status_height, 1)});
+    Drawn drawn;
+    std::tie(drawn.width, drawn.height) = window_.size();
+    session_.view().set_area({0, 0, std::max(drawn.width - static_cast<int>(scaled(panel_width)), 1),
+                              std::max(drawn.height - static_cast<int>(scaled(status_height)), 1)});
     if (session_.path() != titled_) {
       titled_ = session_.path();
       window_.set_title(titled_.filename().string() + " - Penumbra");
     }
     window_.begin_frame(mouse_.cursor());
     layer_.draw(session_);
-    const std::vector<KnobPlace> knobs = draw_panel(session_, width, height);
-    const std::optional<WindowArea> inspector = draw_inspector(session_);
-    mouse_.set_covered(inspector);
-    draw_overlays(session_, width, height);
+    draw_panel(session_, drawn);
+    draw_inspector(session_, drawn);
+    mouse_.set_covered(drawn.inspector);
+    draw_overlays(session_, drawn);
     window_.end_frame();
     const auto interval = session_.picture_is_current() ? settle_interval : settle_interval_before_picture;
     next_draw_ = frames_to_settle_ > 0 ? Clock::now() + interval : Clock::time_point::max();
     frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
-    report_.frame(session_, width, height, events_, knobs, inspector, ImGui::GetIO().WantTextInput);
+    report_.frame(session_, events_, drawn, ImGui::GetIO().WantTextInput);
   }
 
   SdlWindow window_;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "viewer/session.hpp"
 
@@ -14,9 +16,12 @@ class NoDisplay : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline constexpr double largest_scale = 4;
+
 struct WindowOptions {
-  int width = 1280, height = 760;
-  std::filesystem::path report;  // see report.hpp; empty for none
+  std::optional<std::pair<int, int>> size;  // in pixels; none: what suits the scale
+  std::optional<double> scale;              // of texts and knobs; none: that of the screen
+  std::filesystem::path report;             // see report.hpp; empty for none
 };
 
 // Returns when the window is closed. Throws NoDisplay if there is nothing to open it on.

@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "viewer/picture_view.hpp"
+#include "viewer/window/run_window.hpp"
 
 namespace penumbra {
 
 class SdlWindow {
  public:
   // Throws NoDisplay.
-  SdlWindow(const char* title, int width, int height);
+  SdlWindow(const char* title, const WindowOptions& options);
   ~SdlWindow();
   SdlWindow(const SdlWindow&) = delete;
   SdlWindow& operator=(const SdlWindow&) = delete;

@@ -24,6 +24,7 @@ class RunningProgram {
                  const std::vector<std::pair<std::string, std::string>>& environment = {}) {
     arguments.insert(arguments.begin(), PENUMBRA_PROGRAM);
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
     pid_ = ::fork();

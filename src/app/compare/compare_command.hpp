@@ -19,8 +19,8 @@ struct CompareOptions {
 // The subcommand `compare`; its options write to `options`, which must outlive it.
 Subcommand compare_subcommand(CompareOptions& options);
 
-// Prints the comparison to standard output, errors to standard error. Returns the exit code, which is 73 or 74 if the
-// heat map cannot be written.
+// Prints the comparison to standard output, errors to standard error. Returns the exit code, which is 64 if the heat
+// map is one of the pictures, 73 or 74 if it cannot be written.
 int compare_command(const CompareOptions& options);
 
 }  // namespace penumbra

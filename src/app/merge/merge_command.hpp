@@ -15,9 +15,9 @@ struct MergeOptions {
   bool quiet = false;
 };
 
-// The subcommand `merge`; its options write to `options`, which must outlive it. Exit codes: 0, 65 if parts are
-// missing, damaged, duplicated or from different pictures, 66 if a file does not exist, 73, 74. Nothing is written
-// unless it is 0, 73 or 74.
+// The subcommand `merge`; its options write to `options`, which must outlive it. Exit codes: 0, 64 if an output is a
+// part or another output, 65 if parts are missing, damaged, duplicated or from different pictures, 66 if a file does
+// not exist, 73, 74. Nothing is written unless it is 0, 73 or 74.
 Subcommand merge_subcommand(MergeOptions& options);
 
 }  // namespace penumbra

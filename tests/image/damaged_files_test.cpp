@@ -120,6 +120,33 @@ TEST(DamagedExr, TheHeaderIsNotBelieved) {
   }
 }
 
+// OpenEXR reads some attributes without a look at their length, and takes what follows from another place than that.
+TEST(DamagedExr, LengthsThatOpenExrIgnoresAreNotBelieved) {
+  const Bytes bytes = encode_exr(test::crop_with_layers());
+  const auto* text = reinterpret_cast<const char*>(bytes.data());
+  const std::string all(text, bytes.size());
+  for (const std::string& type : {std::string("chlist"), std::string("box2i"), std::string("float")}) {
+    const std::size_t at = all.find('\0' + type + '\0');
+    ASSERT_NE(at, all.npos);
+    Bytes longer = bytes;
+    const std::size_t length_at = at + type.size() + 2;
+    std::uint32_t length = 0;
+    std::memcpy(&length, &bytes[length_at], sizeof length);
+    const std::uint32_t more = length + 3;
+    std::memcpy(&longer[length_at], &more, sizeof more);
+    longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(length_at + 4 + length), 3, std::byte{7});
+    EXPECT_EQ(error_of(decode_exr, longer), "`bad` is not a valid EXR file: its header is damaged or not whole")
+        << type;
+  }
+}
+
+// A name without an end would be read as one of 255 characters.
+TEST(DamagedExr, NamesHaveAnEnd) {
+  Bytes bytes = encode_exr(whole_picture(test::pattern(12, 9)));
+  bytes.insert(bytes.begin() + 8, 300, std::byte{'a'});
+  EXPECT_EQ(error_of(decode_exr, bytes), "`bad` is not a valid EXR file: its header is damaged or not whole");
+}
+
 TEST(Damaged, NothingAndNonsense) {
   for (const Decoder decode : {decode_png, decode_exr}) {
     EXPECT_NE(error_of(decode, {}), "");

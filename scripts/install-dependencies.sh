@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that a goal needs (build, test, lint; ci: what .ci/run needs besides; instructions: for
-# bench/instructions.py; coverage: for make coverage; peers: for bench/peers; cluster: the Slurm of tests/cluster), and only the missing ones: if
-# none is missing, it calls no package manager and needs no network. Only apt runs as root.
+# bench/instructions.py; coverage: for make coverage; peers: for bench/peers; cluster: the Slurm of tests/cluster), and
+# only the missing ones: if none is missing, it calls no package manager and needs no network. Only apt runs as root.
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev zlib1g-dev

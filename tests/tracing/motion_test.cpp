@@ -123,6 +123,14 @@ TEST(Motion, ShadowRaysKeepTheTime) {
   EXPECT_EQ(different, 0);
 }
 
+// A box that is between the light and the floor for a fifth of the time.
+TEST(Motion, ShadowsAreThoseOfTheTimeOfTheRay) {
+  const std::string text =
+      look({0, 1, 4}, {0, -1, -4}) + fmt::format("rays_per_pixel {}\n", rays) +
+      "light 0 10 0 1 1 1\ndiffuse 1 1 1 0 0 0\nbox -20 -1 -20 20 0 20\nbox -1.5 4 -1 -0.5 5 1\nmoving_object 5 0 0\n";
+  EXPECT_NEAR(color_of(text).x, 0.8, 5 * std::sqrt(0.16 / rays));
+}
+
 TEST(Motion, TransmittedRaysKeepTheTime) {
   const std::string text =
       look({0, 0, 0}, {0, 0, -1}) + fmt::format("rays_per_pixel {}\n", rays) +

@@ -1,5 +1,6 @@
 // Damaged pictures: truncated or changed anywhere, they give an error of the right kind or a picture, and never
 // anything worse (with sanitizers, this is a small fuzz test).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -105,7 +106,7 @@ TEST(DamagedExr, ChangedAnywhere) {
 TEST(DamagedExr, TheHeaderIsNotBelieved) {
   const Bytes bytes = encode_exr(whole_picture(test::pattern(12, 9)));
   // Name, type and length come first; then x0, y0, x1, y1.
-  const std::string marker = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  const std::string marker("dataWindow\0box2i\0", 17);
   const auto* text = reinterpret_cast<const char*>(bytes.data());
   const std::size_t at = std::string(text, bytes.size()).find(marker) + marker.size() + 4;
   for (const int value : {-5, 100000, 1000000, 2000000000, -2000000000}) {
@@ -125,11 +126,12 @@ TEST(DamagedExr, LengthsThatOpenExrIgnoresAreNotBelieved) {
   const Bytes bytes = encode_exr(test::crop_with_layers());
   const auto* text = reinterpret_cast<const char*>(bytes.data());
   const std::string all(text, bytes.size());
-  for (const std::string& type : {std::string("chlist"), std::string("box2i"), std::string("float")}) {
-    const std::size_t at = all.find('\0' + type + '\0');
+  for (const char* type : {"chlist", "box2i", "float"}) {
+    const std::string between = fmt::format("{0}{1}{0}", '\0', type);
+    const std::size_t at = all.find(between);
     ASSERT_NE(at, all.npos);
     Bytes longer = bytes;
-    const std::size_t length_at = at + type.size() + 2;
+    const std::size_t length_at = at + between.size();
     std::uint32_t length = 0;
     std::memcpy(&length, &bytes[length_at], sizeof length);
     const std::uint32_t more = length + 3;

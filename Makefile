@@ -3,8 +3,10 @@
 #   make demo       install what is missing, build, render scenes/demo.cli
 #   make test       install what is missing, build, run all tests
 #   make build      install what is missing, build the release
-#   make test-long  all tests, and those that take longer: twenty minutes of fuzzing, random events for the window,
+#   make test-long  all tests, and those that take longer: half an hour of fuzzing, random events for the window,
 #                   point sets of every size, adaptive errors, renders killed 200 times, and 500 times while they write
+#   make mutants    break a copy of the program in some fifty places, one by one, and expect a test to notice
+#   make coverage   which share of the lines of src/ the tests run
 #   make test-cluster  a frame and an animation on a three-node Slurm on this machine, and all that can go wrong there
 #   make bench      compare speeds, as ratios of runs taken in turn, also with the last tag or BEFORE=REVISION
 #   make bench-peers  compare with POV-Ray and Cycles; takes half an hour (docs/performance.md)
@@ -25,8 +27,8 @@ WINDOW_EVENTS ?= 10000
 PEERS_FLAGS ?=
 BEFORE ?= $(shell git describe --tags --abbrev=0 2> /dev/null)
 
-.PHONY: demo test build test-long test-cluster bench bench-peers instructions check-instructions lint format docs \
-  gallery fuzz window-events clean
+.PHONY: demo test build test-long mutants coverage test-cluster bench bench-peers instructions check-instructions lint \
+  format docs gallery fuzz window-events clean
 
 build:
 	@scripts/install-dependencies.sh build
@@ -47,6 +49,19 @@ test-long: test fuzz window-events
 	@$(BUILD)/tests/sampling/sampling_test --gtest_also_run_disabled_tests --gtest_filter='*AtEveryCount'
 	@python3 bench/adaptive.py --penumbra $(BUILD)/penumbra --check
 	@$(BUILD)/tests/sittings/sittings_test --gtest_also_run_disabled_tests --gtest_filter='Kill.*Many*'
+
+mutants:
+	@scripts/install-dependencies.sh test
+	@tests/mutants/run.py --jobs $(JOBS) --cmake-flags "$(CMAKE_FLAGS)"
+
+# A test that fails does not keep the figures from being printed, but fails the target.
+coverage:
+	@scripts/install-dependencies.sh coverage
+	@cmake --preset coverage -DPENUMBRA_TESTS=ON $(CMAKE_FLAGS) > /dev/null
+	@cmake --build --preset coverage -j $(JOBS)
+	@find build/coverage -name '*.gcda' -delete
+	@ctest --preset coverage -j $(JOBS); passed=$$?; \
+	  gcovr --root . --filter src/ --exclude-throw-branches --print-summary -j $(JOBS) build/coverage && exit $$passed
 
 test-cluster: build
 	@scripts/install-dependencies.sh cluster

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that a goal needs (build, test, lint; ci: what .ci/run needs besides; instructions: for
-# bench/instructions.py; peers: for bench/peers; cluster: the Slurm of tests/cluster), and only the missing ones: if
-# none is missing, it calls no package manager and needs no network. Only apt runs as root.
+# bench/instructions.py; coverage: for make coverage; peers: for bench/peers; cluster: the Slurm of tests/cluster), and
+# only the missing ones: if none is missing, it calls no package manager and needs no network. Only apt runs as root.
 set -euo pipefail
 
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libopenexr-dev libpng-dev zlib1g-dev
@@ -12,6 +12,7 @@ test_packages=(libgtest-dev openimageio-tools python3 xvfb xdotool xclip x11-xkb
 lint_packages=(clang clang-format clang-tidy libclang-rt-dev)
 ci_packages=(qemu-user ccache)
 instructions_packages=(valgrind)
+coverage_packages=(gcovr)
 peers_packages=(povray blender python3-numpy python3-openimageio python3-matplotlib)
 cluster_packages=(slurm-wlm munge)
 
@@ -21,10 +22,11 @@ case "${1:-}" in
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
   ci) wanted=("${ci_packages[@]}") ;;
   instructions) wanted=("${build_packages[@]}" "${instructions_packages[@]}") ;;
+  coverage) wanted=("${build_packages[@]}" "${test_packages[@]}" "${coverage_packages[@]}") ;;
   peers) wanted=("${peers_packages[@]}") ;;
   cluster) wanted=("${build_packages[@]}" "${cluster_packages[@]}") ;;
   *)
-    echo "usage: $0 build|test|lint|ci|instructions|peers|cluster" >&2
+    echo "usage: $0 build|test|lint|ci|instructions|coverage|peers|cluster" >&2
     exit 64
     ;;
 esac

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <mutex>
 #include <stdexcept>
 
@@ -151,21 +152,94 @@ void spread_grey(ZeroedVector<float>& rgb) {
   for (std::size_t i = 0; i < rgb.size(); i += 3) rgb[i + 1] = rgb[i + 2] = rgb[i];
 }
 
-// Whether all attributes of the (first) header lie within the file: name, 0, type, 0, length in four bytes, value; an
-// empty name ends them. OpenEXR allocates memory for an attribute before it reads it: 2 GB if a damaged length says so.
-bool has_all_attributes(std::span<const std::byte> bytes) {
-  std::size_t at = 8;
-  while (at < bytes.size() && bytes[at] != std::byte{0}) {
-    for (int word = 0; word < 2; word++) {
-      while (at < bytes.size() && bytes[at] != std::byte{0}) at++;
-      at++;
-    }
-    std::uint32_t length = 0;
-    if (bytes.size() < at + sizeof length) return false;
-    for (std::size_t i = sizeof length; i-- > 0;) length = length * 256 + static_cast<std::uint32_t>(bytes[at + i]);
-    at += sizeof length + length;
+// The bytes of a header, from front to back. What is not there is told by `bad`.
+struct HeaderBytes {
+  std::span<const std::byte> rest;
+  bool bad = false;
+
+  std::span<const std::byte> take(std::size_t count) {
+    bad |= count > rest.size();
+    const std::span<const std::byte> taken = rest.first(bad ? 0 : count);
+    rest = rest.subspan(taken.size());
+    return taken;
   }
-  return at < bytes.size();
+  // Characters up to a 0, as many as OpenEXR reads.
+  std::string_view take_word() {
+    constexpr std::size_t most_characters = 255;
+    const auto end = std::find(
+        rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(std::min(rest.size(), most_characters)), std::byte{0});
+    const auto characters = take(static_cast<std::size_t>(end - rest.begin()));
+    const auto zero = take(1);
+    bad |= zero.empty() || zero.front() != std::byte{0};
+    return {reinterpret_cast<const char*>(characters.data()), characters.size()};
+  }
+  std::uint32_t take_number() {
+    std::uint32_t number = 0;
+    const auto digits = take(4);
+    for (std::size_t i = digits.size(); i-- > 0;) number = number * 256 + static_cast<std::uint32_t>(digits[i]);
+    return number;
+  }
+};
+
+// Whether an attribute of this type has the length that OpenEXR reads, whatever the file says: what follows would be
+// read from another place.
+bool has_its_length(std::string_view type, std::span<const std::byte> value) {
+  struct TypeLength {
+    std::string_view type;
+    std::size_t length;
+  };
+  static constexpr TypeLength lengths[] = {{"box2f", 16},
+                                           {"box2i", 16},
+                                           {"chromaticities", 32},
+                                           {"compression", 1},
+                                           {"deepImageState", 1},
+                                           {"double", 8},
+                                           {"envmap", 1},
+                                           {"float", 4},
+                                           {"int", 4},
+                                           {"keycode", 28},
+                                           {"lineOrder", 1},
+                                           {"m33d", 72},
+                                           {"m33f", 36},
+                                           {"m44d", 128},
+                                           {"m44f", 64},
+                                           {"rational", 8},
+                                           {"tiledesc", 9},
+                                           {"timecode", 8},
+                                           {"v2d", 16},
+                                           {"v2f", 8},
+                                           {"v2i", 8},
+                                           {"v3d", 24},
+                                           {"v3f", 12},
+                                           {"v3i", 12}};
+  if (type == "chlist") {
+    HeaderBytes list{value};
+    while (!list.bad && !list.take_word().empty()) list.take(16);
+    return !list.bad && list.rest.empty();
+  }
+  const auto* known =
+      std::find_if(std::begin(lengths), std::end(lengths), [&](const auto& l) { return l.type == type; });
+  return known == std::end(lengths) || known->length == value.size();
+}
+
+// Whether all attributes of all headers lie within the file: name, 0, type, 0, length in four bytes, value; an empty
+// name ends a header, and in a file of several parts an empty header ends them. OpenEXR allocates memory for an
+// attribute before it reads it: 2 GB if a damaged length says so.
+bool has_all_attributes(std::span<const std::byte> bytes) {
+  constexpr std::uint32_t multipart = 0x1000;
+  HeaderBytes file{bytes};
+  file.take(4);
+  const bool several = (file.take_number() & multipart) != 0;
+  for (bool empty = false; !file.bad && !empty;) {
+    empty = true;
+    while (!file.bad && !file.take_word().empty()) {
+      empty = false;
+      const std::string_view type = file.take_word();
+      file.bad |= !has_its_length(type, file.take(file.take_number()));
+    }
+    if (!several) break;
+  }
+  return !file.bad;
 }
 
 ImageFile read_picture(MemoryInput& input, std::size_t file_bytes) {
@@ -223,7 +297,7 @@ ImageFile decode(std::span<const std::byte> bytes, const std::string& name) {
   // OpenEXR's own limit on sizes, which it checks before it allocates memory for lines.
   static std::once_flag limit_set;
   std::call_once(limit_set, [] { Imf::Header::setMaxImageSize(largest_image_side, largest_image_side); });
-  if (!has_all_attributes(bytes)) throw std::runtime_error("the file ends too early");
+  if (!has_all_attributes(bytes)) throw std::runtime_error("its header is damaged or not whole");
   MemoryInput input(bytes, name);
   return read_picture(input, bytes.size());
 }

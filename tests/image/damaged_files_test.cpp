@@ -1,5 +1,6 @@
 // Damaged pictures: truncated or changed anywhere, they give an error of the right kind or a picture, and never
 // anything worse (with sanitizers, this is a small fuzz test).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <sys/resource.h>
@@ -135,7 +136,7 @@ TEST(DamagedExr, ChangedAnywhere) {
 TEST(DamagedExr, TheHeaderIsNotBelieved) {
   const Bytes bytes = encode_exr(whole_picture(test::pattern(12, 9)));
   // Name, type and length come first; then x0, y0, x1, y1.
-  const std::string marker = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  const std::string marker("dataWindow\0box2i\0", 17);
   const auto* text = reinterpret_cast<const char*>(bytes.data());
   const std::size_t at = std::string(text, bytes.size()).find(marker) + marker.size() + 4;
   for (const int value : {-5, 100000, 1000000, 2000000000, -2000000000}) {
@@ -148,6 +149,34 @@ TEST(DamagedExr, TheHeaderIsNotBelieved) {
       }
     }
   }
+}
+
+// OpenEXR reads some attributes without a look at their length, and takes what follows from another place than that.
+TEST(DamagedExr, LengthsThatOpenExrIgnoresAreNotBelieved) {
+  const Bytes bytes = encode_exr(test::crop_with_layers());
+  const auto* text = reinterpret_cast<const char*>(bytes.data());
+  const std::string all(text, bytes.size());
+  for (const char* type : {"chlist", "box2i", "float"}) {
+    const std::string between = fmt::format("{0}{1}{0}", '\0', type);
+    const std::size_t at = all.find(between);
+    ASSERT_NE(at, all.npos);
+    Bytes longer = bytes;
+    const std::size_t length_at = at + between.size();
+    std::uint32_t length = 0;
+    std::memcpy(&length, &bytes[length_at], sizeof length);
+    const std::uint32_t more = length + 3;
+    std::memcpy(&longer[length_at], &more, sizeof more);
+    longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(length_at + 4 + length), 3, std::byte{7});
+    EXPECT_EQ(error_of(decode_exr, longer), "`bad` is not a valid EXR file: its header is damaged or not whole")
+        << type;
+  }
+}
+
+// A name without an end would be read as one of 255 characters.
+TEST(DamagedExr, NamesHaveAnEnd) {
+  Bytes bytes = encode_exr(whole_picture(test::pattern(12, 9)));
+  bytes.insert(bytes.begin() + 8, 300, std::byte{'a'});
+  EXPECT_EQ(error_of(decode_exr, bytes), "`bad` is not a valid EXR file: its header is damaged or not whole");
 }
 
 TEST(Damaged, NothingAndNonsense) {

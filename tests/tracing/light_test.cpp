@@ -29,6 +29,18 @@ TEST(Lights, AmbientIsAddedOnce) {
   }
 }
 
+// A ceiling above a lamp does not darken the floor below it.
+TEST(Lights, WhatLiesBeyondThemCastsNoShadow) {
+  const std::string ceiling = "box -20 6 -20 20 7 20\n";
+  for (const char* lamp : {"light 0 3 0 1 1 1\n", "spotlight 0 3 0 0 -1 0 40 50 1 1 1\n",
+                           "disk_light 0 3 0 0.5 0 1 0 1 1 1\n", "quad_light 0 3 0 0.5 0 0 0 0 0.5 1 1 1\n"}) {
+    const std::string text = look({0, 1, 4}, {0, -1, -4}) + lamp + "surface 1 1 1\n" + floor_box;
+    const Vec3 open = color_of(text);
+    EXPECT_GT(open.x, 0.9) << lamp;
+    EXPECT_EQ(color_of(text + ceiling), open) << lamp;
+  }
+}
+
 TEST(Lights, SpotlightIsASmoothstepOfCosines) {
   // Over the origin, straight down: the angle at the floor point (x, 0, 0) is atan(x / 4).
   const double inner = 15, outer = 40;

@@ -56,6 +56,18 @@ struct Row {
   }
 };
 
+// Many objects have a hierarchy over them, whose bounds have to hold what moves at all times.
+TEST(Motion, IsTheSameAmongManyObjects) {
+  const std::string ball = "moving_sphere 0.4 -3 0 -10 3 0 -10\n";
+  std::string others;  // behind the eye
+  for (int i = 0; i < 50; i++) others += fmt::format("sphere 0.4 {} 0 10\n", 2 * i - 50);
+  for (const double open : {0.0, 0.4}) {
+    const Picture3 alone = render_text(Row::text(open, 1, ball));
+    const Picture3 among = render_text(Row::text(open, 1, ball + others));
+    for (int i = 0; i < Row::width; i++) EXPECT_EQ(among.at(i, 0), alone.at(i, 0)) << "pixel " << i;
+  }
+}
+
 TEST(Motion, CoverageOfAMovingBall) {
   for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
     Row::check(0, 1, "moving_sphere 0.4 -3 0 -10 3 0 -10\n", pattern);
@@ -109,6 +121,14 @@ TEST(Motion, ShadowRaysKeepTheTime) {
   }
   EXPECT_GT(lit, 300);
   EXPECT_EQ(different, 0);
+}
+
+// A box that is between the light and the floor for a fifth of the time.
+TEST(Motion, ShadowsAreThoseOfTheTimeOfTheRay) {
+  const std::string text =
+      look({0, 1, 4}, {0, -1, -4}) + fmt::format("rays_per_pixel {}\n", rays) +
+      "light 0 10 0 1 1 1\ndiffuse 1 1 1 0 0 0\nbox -20 -1 -20 20 0 20\nbox -1.5 4 -1 -0.5 5 1\nmoving_object 5 0 0\n";
+  EXPECT_NEAR(color_of(text).x, 0.8, 5 * std::sqrt(0.16 / rays));
 }
 
 TEST(Motion, TransmittedRaysKeepTheTime) {

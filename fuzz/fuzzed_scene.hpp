@@ -30,7 +30,8 @@ inline std::vector<std::string> split_files(std::string_view input, std::size_t 
 inline SceneFile read_fuzzed_scene(const std::uint8_t* data, std::size_t size) {
   constexpr std::array<std::string_view, 5> names{"s.cli", "a.cli", "b.cli", "m.obj", "m.ply"};
   const ReadOptions options{.course = static_cast<Course>((data[0] & 1u) != 0 ? 1 + (data[0] >> 2) % 5 : 0),
-                            .lenient = (data[0] & 2) != 0, .allow_paths = true};
+                            .lenient = (data[0] & 2) != 0,
+                            .allow_paths = true};
   const std::vector<std::string> parts = split_files({reinterpret_cast<const char*>(data) + 1, size - 1}, names.size());
   const FileLoader load = [&](const std::filesystem::path& path) {
     LoadedFile loaded;

@@ -26,7 +26,7 @@ struct Rays {
   bool to_light = false;
   Floats light_distance;
   const std::atomic<bool>* given_up = nullptr;  // once it is set, searches may end early, with any result
-  bool settle_ends = false;  // the search for the nearest hit decides about crossings near the ends
+  bool settle_ends = false;                     // the search for the nearest hit decides about crossings near the ends
   // Inside of an instance: the rays outside of it, its leaf, and the place (Hits::place) of leaf 0.
   const Rays* outer = nullptr;
   const Leaf* instance = nullptr;

@@ -56,9 +56,7 @@ struct RenderState {
   // usually in some hundredths of a second; `give_up` drops them, at once whatever the scene.
   std::atomic<bool> stop{false}, give_up{false};
 
-  bool is_stopped() const {
-    return stop.load(std::memory_order_relaxed) || give_up.load(std::memory_order_relaxed);
-  }
+  bool is_stopped() const { return stop.load(std::memory_order_relaxed) || give_up.load(std::memory_order_relaxed); }
 };
 
 }  // namespace penumbra

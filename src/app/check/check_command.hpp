@@ -18,8 +18,8 @@ struct CheckOptions {
 Subcommand check_subcommand(CheckOptions& options);
 
 // Writes errors and warnings to standard error and, if there is no error, the summary to standard output. Returns the
-// exit code: 0, 65 if the scene has errors, 64 (FileError) if a picture of it would replace a file of it, 66 if the file
-// cannot be read.
+// exit code: 0, 65 if the scene has errors, 64 (FileError) if a picture of it would replace a file of it, 66 if the
+// file cannot be read.
 int check_command(const CheckOptions& options);
 
 // The summary: files, pictures, and what each picture shows. Several lines, each ended by a newline.

@@ -18,10 +18,18 @@ std::string in_use(const std::filesystem::path& path) {
       path.string());
 }
 
+// The path, unless a checkpoint can never be there.
+const std::filesystem::path& possible(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)) return path;
+  throw FileError(EX_CANTCREAT,
+                  fmt::format("cannot write the checkpoint `{}`: it is not a regular file", path.string()));
+}
+
 }  // namespace
 
 CheckpointFile::CheckpointFile(std::filesystem::path path, bool resume)
-    : path_(std::move(path)), lock_(path_, in_use(path_)) {
+    : path_(std::move(path)), lock_(possible(path_), in_use(path_)) {
   require_replaceable(previous_of(path_));
   if (!resume) require_replaceable(path_);
 }

@@ -32,9 +32,16 @@ static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free && std::atomi
   ::_exit(EX_TEMPFAIL);
 }
 
+// What is prepared when the end comes has so long to get ready for it.
+constexpr unsigned seconds_of_grace = 1;
+
 void handle(int number) {
   if (number == SIGALRM) {
-    time_is_up = true;
+    const bool again = time_is_up.exchange(true) || received != 0;
+    if (!again && !stop_flag.load()) {
+      ::alarm(seconds_of_grace);
+      return;
+    }
   } else if (received.exchange(number) != 0) {
     std::signal(number, SIG_DFL);
     std::raise(number);  // delivered when the handler returns
@@ -59,7 +66,7 @@ void set_alarm(double seconds) {
 
 }  // namespace
 
-Interruption::Interruption(std::optional<std::chrono::steady_clock::time_point> end) : is_timed_(end.has_value()) {
+Interruption::Interruption(std::optional<std::chrono::steady_clock::time_point> end) {
   received = 0;
   time_is_up = false;
   stop_flag = nullptr;
@@ -80,7 +87,7 @@ Interruption::Interruption(std::optional<std::chrono::steady_clock::time_point> 
 }
 
 Interruption::~Interruption() {
-  if (is_timed_) set_alarm(0);
+  set_alarm(0);
   for (std::size_t i = 0; i < signals.size(); i++) ::sigaction(signals[i], &old_actions[i], nullptr);
 }
 
@@ -91,9 +98,9 @@ void Interruption::stop_through(std::atomic<bool>& flag) {
 
 void Interruption::only_note() { stop_flag = &noted; }
 
-void Interruption::end_at_once() {
+void Interruption::end_soon() {
   stop_flag = nullptr;
-  if (received != 0 || time_is_up) end();
+  if (received != 0 || time_is_up) ::alarm(seconds_of_grace);
 }
 
 const char* Interruption::signal() const {

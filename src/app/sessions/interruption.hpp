@@ -1,5 +1,5 @@
-// What asks a render to end: the signals SIGINT (Ctrl-C), SIGTERM (schedulers) and SIGHUP (the terminal is gone), and the
-// end of its time, which comes as SIGALRM.
+// What asks a render to end: the signals SIGINT (Ctrl-C), SIGTERM (schedulers) and SIGHUP (the terminal is gone), and
+// the end of its time, which comes as SIGALRM.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,8 @@ namespace penumbra {
 // may exist.
 class Interruption {
  public:
-  // Until stop_through() is called there is nothing to lose: a signal ends the program with exit code 75.
+  // Until stop_through() is called there is nothing to lose: a signal ends the program with exit code 75, and so does
+  // the end of the time, a second later.
   explicit Interruption(std::optional<std::chrono::steady_clock::time_point> end);
   ~Interruption();
   Interruption(const Interruption&) = delete;
@@ -22,14 +23,11 @@ class Interruption {
   void stop_through(std::atomic<bool>& flag);
   // From now on a signal is only recorded.
   void only_note();
-  // From now on there is nothing to lose again; one that came before ends the program now.
-  void end_at_once();
+  // From now on there is nothing to lose again; one that came before ends the program in a second.
+  void end_soon();
 
   // The name of the signal that was received from outside; null if none was.
   const char* signal() const;
-
- private:
-  bool is_timed_;
 };
 
 }  // namespace penumbra

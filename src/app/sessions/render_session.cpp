@@ -109,7 +109,7 @@ void RenderSession::require_picture(const ResumableRender& render, const Picture
 }
 
 void RenderSession::prepare() {
-  if (interruption_ && !file_) interruption_->end_at_once();
+  if (interruption_ && !file_) interruption_->end_soon();
 }
 
 bool RenderSession::run(ResumableRender& render, PictureKey key, RenderState& state) {

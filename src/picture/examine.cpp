@@ -6,12 +6,15 @@
 
 #include "geometry/precision.hpp"
 #include "geometry/view_warnings.hpp"
+#include "picture/cost.hpp"
 #include "picture/scene_traits.hpp"
 
 namespace penumbra {
 namespace {
 
 constexpr std::size_t most_scenes = 16;  // of one file that are examined
+// Above these, a render may take longer than anybody wants.
+constexpr double many_rays = 1e6, many_objects = 1e9;
 
 // Collects warnings, none twice.
 class Warnings {
@@ -44,12 +47,26 @@ void warn_of_one_ray(const Picture& picture, const Scene& scene, const PictureOp
       Topic::gloss, "gloss or blurred transmission");
 }
 
-void examine(const Picture& picture, const PictureOptions& options, Warnings& warnings) {
+void warn_of_cost(const Scene& scene, const Place& place, Warnings& warnings) {
+  if (const double rays = most_rays_of_eye_ray(scene); rays > many_rays) {
+    warnings.add(place, fmt::format("one eye ray may send up to {:.2g} rays, to the depth of {}: a smaller max_depth "
+                                    "makes them fewer",
+                                    rays, scene.settings.max_depth));
+  }
+  if (const double objects = objects_behind_names(scene); objects > many_objects) {
+    warnings.add(place, fmt::format("the names of the scene stand for {:.2g} objects: a ray that goes through many of "
+                                    "them takes long",
+                                    objects));
+  }
+}
+
+void examine(const Picture& picture, const PictureOptions& options, const Place& whole_file, Warnings& warnings) {
   // The copy of a scene with a million objects takes a while.
   const bool as_it_is = options == PictureOptions{};
   const Scene changed = as_it_is ? Scene() : with_options(*picture.scene, options);
   const Scene& scene = as_it_is ? *picture.scene : changed;
   warn_of_one_ray(picture, scene, options, warnings);
+  warn_of_cost(scene, whole_file, warnings);
   warnings.add(picture.place_of(Topic::camera), empty_view_warning(scene, moves(scene)));
   warnings.add(picture.place_of(Topic::camera), buried_eye_warning(scene));
 }
@@ -64,19 +81,17 @@ SceneFile read_and_examine(const std::filesystem::path& scene, const PictureOpti
   SceneFile file = read_scene(scene, all);
   Warnings warnings(file.diagnostics);
   const Scene* last = nullptr;
+  Place whole_file;
+  if (!file.files.empty()) whole_file.file = file.files.front();
   std::size_t count = 0;
   for (const Action& action : file.actions) {
     const auto* picture = std::get_if<Picture>(&action);
     if (picture == nullptr || picture->scene.get() == last || count == most_scenes) continue;
     last = picture->scene.get();
     count++;
-    examine(*picture, options, warnings);
+    examine(*picture, options, whole_file, warnings);
   }
-  if (last != nullptr) {
-    Place whole_file;
-    whole_file.file = file.files.front();
-    warnings.add(whole_file, precision_warning(*last));
-  }
+  if (last != nullptr) warnings.add(whole_file, precision_warning(*last));
   return file;
 }
 

@@ -30,6 +30,30 @@ class Examine : public testing::Test {
   test::TestFolder folder_;
 };
 
+// 1 + 1 shadow ray at the eye's hit; below it twenty levels, of two rays each: 2 (2^20 - 1) rays with a shadow ray
+// each.
+TEST_F(Examine, SaysThatARayMaySendMillions) {
+  const std::string glass = "shiny 0 0 0 0 0 0 0 0 0 1 .5 .5 1.5\n";
+  expect_told(lamp + glass + ball + "max_depth 20\n",
+              ": warning: one eye ray may send up to 4.2e+06 rays, to the depth of 20: a smaller max_depth");
+  EXPECT_EQ(told(lamp + glass + ball + "max_depth 17\n"), "");  // 2 + 4 (2^17 - 1) = 524,286
+  EXPECT_EQ(told(lamp + "shiny 0 0 0 0 0 0 0 0 0 1 .5 0 1\n" + ball + "max_depth 100\n"), "");
+  PictureOptions deep;
+  deep.max_depth = 30;
+  EXPECT_NE(told(lamp + glass + ball, deep), "");
+}
+
+TEST_F(Examine, SaysThatNamesStandForMilliards) {
+  std::string text = lamp + "push\ntranslate 0 0 -4\n" + "sphere 1 0 0 0\nnamed_object o0\n";
+  for (int level = 1; level <= 9; level++) {
+    text += "begin_list\n";
+    for (int i = 0; i < 10; i++) text += "instance o" + std::to_string(level - 1) + "\n";
+    text += "end_list\nnamed_object o" + std::to_string(level) + "\n";
+  }
+  EXPECT_EQ(told(text + "instance o9\npop\n").find("names of the scene stand"), std::string::npos) << "10^9";
+  expect_told(text + "instance o9\ninstance o9\npop\n", ": warning: the names of the scene stand for 2e+09 objects");
+}
+
 TEST_F(Examine, SaysThatNothingIsInView) {
   const std::string behind = ": warning: nothing is in view: all objects are behind the eye; ";
   const std::string outside = ": warning: nothing is in view: all objects are outside the picture; ";

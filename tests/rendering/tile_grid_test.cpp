@@ -9,8 +9,8 @@ namespace penumbra {
 namespace {
 
 TEST(TileGrid, HasEveryPixelOfTheWindowOnce) {
-  for (const PixelRect& window :
-       {PixelRect{0, 0, 100, 70}, PixelRect{5, 9, 6, 10}, PixelRect{7, 3, 95, 66}, PixelRect{0, 0, 16, 16}}) {
+  for (const PixelRect& window : {PixelRect{0, 0, 100, 70}, PixelRect{5, 9, 6, 10}, PixelRect{7, 3, 95, 66},
+                                  PixelRect{0, 0, 16, 16}, PixelRect{0, 0, 33, 49}}) {
     for (const SampleCounts counts : {SampleCounts::uniform, SampleCounts::per_pixel}) {
       for (const int shards : {1, 3}) {
         std::vector<int> times(100 * 70);

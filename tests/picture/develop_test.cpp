@@ -12,7 +12,8 @@ Film film_of(const PixelRect& crop, const Layers& layers) {
   for_pixels(crop, [&](int x, int y) {
     const Pixel pixel{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)};
     film.set_samples({&pixel, 1}, 1);
-    for (const FilmPlane& plane : film.view().all()) {
+    const FilmView view = film.view();
+    for (const FilmPlane& plane : view.all()) {
       for (int i = 0; i < plane.sums_per_pixel; i++) plane.of_pixel(crop.index_of(x, y))[i] = i + 1;
     }
   });

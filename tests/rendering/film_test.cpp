@@ -30,7 +30,8 @@ constexpr PixelRect crop{0, 0, 1500, 1001};
 Film full_film() {
   Film film(crop, all_layers);
   double value = 0;
-  for (const FilmPlane& plane : film.view().all()) {
+  const FilmView view = film.view();
+  for (const FilmPlane& plane : view.all()) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(plane.sums_per_pixel) * crop.pixel_count(); i++) {
       plane.sums[i] = (value += 0.25);
     }

@@ -43,8 +43,7 @@ struct Leaf {
   std::uint32_t order = 0;   // at equal distance the lower one wins; with the rank of a surface met from outside
   std::uint32_t target = 0;  // the surface; of a mesh its index in World::meshes, of an instance the group
   std::uint32_t placement = no_placement;
-  std::uint32_t place = 0;  // Hits::place of a shape of the root group; of an instance: what its shapes' places lack to
-                            // those of the group it stands in
+  std::uint32_t place = 0;  // Hits::place, counted from Rays::first_place; of an instance: what that grows by inside it
   float motion[3] = {0, 0, 0};  // shift per unit of time, in the space of the group
   float slack = 0;              // how far a computed hit may be off the surface, beside the rounding of its point
   union {                       // the one of `kind`

@@ -64,7 +64,7 @@ struct Hits {
   Float3 smooth_normal;    // there, for the side that the ray comes from: of unit length in the world
   Float3 lift;             // and from the point to where shadow rays start (geometry/smooth_triangle.hpp)
   Ints place;              // of the leaf among all leaves of all instances
-  bool defined = false;    // all below is, also in lanes that hit nothing
+  bool defined = false;    // all of this, also in lanes that hit nothing
   bool one_place = false;  // in all lanes that hit: this one
   std::uint32_t the_place;
   Floats slack;  // Leaf::slack

@@ -57,34 +57,42 @@ bool is_inside(const Cone& cone, Vec3 p) {
   return d.y > 0 && d.y < cone.height && std::hypot(d.x, d.z) < cone.slope * d.y;
 }
 
-// The opaque solid that a point of the group's space is inside of; null if there is none.
-const Object* solid_around(const Scene& scene, const Object& object, Vec3 p, double time);
+// Looks for the opaque solid around a point, and gives up after so many objects: names can stand for any number.
+class SolidSearch {
+ public:
+  SolidSearch(const Scene& scene, double time) : scene_(scene), time_(time) {}
 
-const Object* solid_around(const Scene& scene, const std::vector<Object>& objects, Vec3 p, double time) {
-  for (const Object& object : objects) {
-    if (const Object* const found = solid_around(scene, object, p, time)) return found;
+  // The solid that a point of the object's group is inside of; null if there is none.
+  const Object* around(const Object& object, Vec3 p) {
+    if (left_ == 0) return nullptr;
+    left_--;
+    if (std::holds_alternative<TriangleRange>(object.shape)) return nullptr;
+    const Vec3 still = p - object.motion * time_;
+    if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
+      for (const Object& member : (*group)->objects) {
+        if (const Object* const found = around(member, still)) return found;
+      }
+      return nullptr;
+    }
+    const Vec3 own =
+        object.placement == 0 ? still : transform_point(inverse(scene_.placements[object.placement]), still);
+    if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+      return around(scene_.definitions[instance->definition], own);
+    }
+    const bool inside = std::visit(
+        [own]<class Shape>(const Shape& shape) {
+          if constexpr (AnalyticShape<Shape>) return is_inside(shape, own);
+          return false;
+        },
+        object.shape);
+    return inside && scene_.surfaces[object.surface].transmission == 0 ? &object : nullptr;
   }
-  return nullptr;
-}
 
-const Object* solid_around(const Scene& scene, const Object& object, Vec3 p, double time) {
-  const Vec3 still = p - object.motion * time;
-  if (std::holds_alternative<TriangleRange>(object.shape)) return nullptr;
-  if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
-    return solid_around(scene, (*group)->objects, still, time);
-  }
-  const Vec3 own = object.placement == 0 ? still : transform_point(inverse(scene.placements[object.placement]), still);
-  if (const auto* instance = std::get_if<Instance>(&object.shape)) {
-    return solid_around(scene, scene.definitions[instance->definition], own, time);
-  }
-  const bool inside = std::visit(
-      [own]<class Shape>(const Shape& shape) {
-        if constexpr (AnalyticShape<Shape>) return is_inside(shape, own);
-        return false;
-      },
-      object.shape);
-  return inside && scene.surfaces[object.surface].transmission == 0 ? &object : nullptr;
-}
+ private:
+  const Scene& scene_;
+  double time_;
+  int left_ = 1 << 20;
+};
 
 bool contains(const Bounds& outer, const Bounds& inner) {
   const Bounds both = include(outer, inner);
@@ -122,8 +130,9 @@ std::string empty_view_warning(const Scene& scene, bool moves) {
 std::string buried_eye_warning(const Scene& scene) {
   const double time = scene.camera.shutter_open;
   ObjectBounds bounds_of(scene, time);
+  SolidSearch search(scene, time);
   for (const Object& object : scene.root.objects) {
-    const Object* const solid = solid_around(scene, object, scene.camera.eye, time);
+    const Object* const solid = search.around(object, scene.camera.eye);
     if (solid == nullptr) continue;
     const Bounds around = bounds_of.of(object);
     const bool holds_others =

@@ -38,8 +38,7 @@ double most_rays_of_eye_ray(const Scene& scene) {
   double shadow_of_eye = 0, shadow_deeper = 0;
   if (settings.shadows) {
     for (const Light& light : scene.lights) {
-      const bool has_area = std::holds_alternative<DiskLight>(light) || std::holds_alternative<QuadLight>(light);
-      shadow_of_eye += has_area ? settings.shadow_rays : 1;
+      shadow_of_eye += has_area(light) ? settings.shadow_rays : 1;
       shadow_deeper += 1;
     }
   }

@@ -32,12 +32,7 @@ bool is_translucent(const Scene& scene) {
   return any_surface(scene, [](const Surface& s) { return s.transmission != 0 && s.blur_radius > 0; });
 }
 
-bool has_area_light(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    const auto* disk = std::get_if<DiskLight>(&light);
-    return std::holds_alternative<QuadLight>(light) || (disk != nullptr && disk->radius > 0);
-  });
-}
+bool has_area_light(const Scene& scene) { return std::any_of(scene.lights.begin(), scene.lights.end(), has_area); }
 
 bool has_lens(const Scene& scene) { return scene.camera.lens_radius > 0; }
 

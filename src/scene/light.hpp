@@ -46,6 +46,12 @@ struct SpotLight {
 
 using Light = std::variant<PointLight, DiskLight, QuadLight, SpotLight>;
 
+// Whether shadow rays go to different points of it.
+inline bool has_area(const Light& light) {
+  if (const auto* disk = std::get_if<DiskLight>(&light)) return disk->radius > 0;
+  return std::holds_alternative<QuadLight>(light);
+}
+
 // The same light, shining from its centre only.
 inline Light without_area(const PointLight& light) { return light; }
 inline Light without_area(const DiskLight& l) { return DiskLight{l.center, 0, l.direction, l.color}; }

@@ -16,10 +16,8 @@ class BoundedReading : public SittingTest {
     put_content(path("huge"), "");
     std::filesystem::resize_file(path("huge"), std::uintmax_t{1} << 42);
   }
-  // The exit code of a command of the shell in the folder, with little memory; 124 if it takes too long.
-  int shell(const std::string& command) {
-    result_ =
-        run_program("cd '" + folder_.path().string() + "'; P='timeout 60 " PENUMBRA_PROGRAM "'; { " + command + "; }");
+  int code_of(const std::string& command) {
+    result_ = shell(command);
     return result_.exit_code;
   }
 
@@ -30,28 +28,28 @@ TEST_F(BoundedReading, OfPicturesPartsAndCheckpoints) {
   ASSERT_EQ(render({"--shard", "0/2", "-o", path("part.exr")}), 0) << said();
   ASSERT_EQ(render({"-o", path("a.png")}), 0) << said();
   for (const std::string name : {"pipe", "zero", "/dev/stdin < /dev/zero"}) {
-    EXPECT_EQ(shell("$P compare a.png " + name), 4) << name;
+    EXPECT_EQ(code_of("$P compare a.png " + name), 4) << name;
     EXPECT_NE(result_.output.find("it is not a regular file"), std::string::npos) << result_.output;
-    EXPECT_EQ(shell("$P merge -o b.png part.exr " + name), 66) << result_.output;
-    EXPECT_EQ(shell("$P render scene.cli -o b.png --resume --checkpoint " + name), 73) << result_.output;
+    EXPECT_EQ(code_of("$P merge -o b.png part.exr " + name), 66) << result_.output;
+    EXPECT_EQ(code_of("$P render scene.cli -o b.png --resume --checkpoint " + name), 73) << result_.output;
   }
-  EXPECT_EQ(shell("$P compare a.png huge"), 4) << result_.output;
-  EXPECT_EQ(shell("$P merge -o b.png part.exr huge"), 65) << result_.output;
-  EXPECT_EQ(shell("$P render scene.cli -o b.png --resume --checkpoint huge"), 65) << result_.output;
+  EXPECT_EQ(code_of("$P compare a.png huge"), 4) << result_.output;
+  EXPECT_EQ(code_of("$P merge -o b.png part.exr huge"), 65) << result_.output;
+  EXPECT_EQ(code_of("$P render scene.cli -o b.png --resume --checkpoint huge"), 65) << result_.output;
   std::filesystem::rename(path("pipe.previous"), path("b.ckpt.previous"));
-  EXPECT_EQ(shell("$P render scene.cli -o b.png --resume --checkpoint b.ckpt"), 73) << result_.output;
+  EXPECT_EQ(code_of("$P render scene.cli -o b.png --resume --checkpoint b.ckpt"), 73) << result_.output;
 }
 
 TEST_F(BoundedReading, OfScenes) {
   for (const std::string scene : {"pipe.cli", "zero", ".", "huge", "- < /dev/zero", "- < ."}) {
     for (const std::string command : {"check ", "render -o b.png "}) {
-      EXPECT_EQ(shell("$P " + command + scene), 66) << result_.output;
+      EXPECT_EQ(code_of("$P " + command + scene), 66) << result_.output;
       EXPECT_EQ(result_.output.find('\n'), result_.output.size() - 1) << result_.output;
     }
   }
   for (const std::string line : {"read pipe", "mesh pipe", "read zero", "mesh zero", "mesh huge", "read ."}) {
     put_content(scene_, line + "\n");
-    EXPECT_EQ(shell("$P check scene.cli"), 65) << line;
+    EXPECT_EQ(code_of("$P check scene.cli"), 65) << line;
     EXPECT_NE(result_.output.find("scene.cli:1:6: error: cannot read `"), std::string::npos) << result_.output;
   }
 }

@@ -143,7 +143,7 @@ TEST_F(Interrupted, WithoutACheckpointThereIsThePicture) {
   EXPECT_EQ(read_image(picture_).image.width, 53);
 }
 
-// Whatever one sample costs, a render ends: these would take from hours to the end of the world.
+// Whatever one sample costs, a render ends: these would take hours, or forever.
 TEST_F(Interrupted, WithinASample) {
   std::string shells = "eye 0 0 9\nlight 0 9 0 1 1 1\nmax_depth 100\nshiny 0 0 0 0 0 0 0 0 0 1 .5 .5 1.5\n";
   for (int i = 0; i < 100; i++) shells += fmt::format("sphere {} 0 0 0\n", 1 + 0.05 * i);

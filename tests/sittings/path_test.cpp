@@ -17,10 +17,6 @@ class Path : public SittingTest {
  protected:
   Path() { put_content(scene_, ball); }
 
-  // Runs a shell command in the folder; $P is the program.
-  ProgramResult shell(const std::string& command) const {
-    return run_program("cd '" + folder_.path().string() + "'; P='" PENUMBRA_PROGRAM "'; { " + command + "; }");
-  }
   // Expects 64, both names in the message, and no file that was not there before.
   void refuses(const std::string& command, const std::string& one, const std::string& other) const {
     SCOPED_TRACE(command);

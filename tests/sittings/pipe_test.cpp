@@ -13,10 +13,6 @@ class Pipe : public SittingTest {
  protected:
   Pipe() { put_content(scene_, small); }
 
-  // Runs a shell command in the folder; $P is the program.
-  ProgramResult shell(const std::string& command) const {
-    return run_program("cd '" + folder_.path().string() + "'; P='" PENUMBRA_PROGRAM "'; { " + command + "; }");
-  }
   // The bytes of the file that `render scene.cli ARGUMENTS -o FILE` writes.
   std::string bytes_of(const std::string& arguments) const {
     EXPECT_EQ(shell("$P render scene.cli --quiet -o direct.png " + arguments).exit_code, 0);
@@ -72,9 +68,7 @@ TEST_F(Pipe, TakesAMergedPicture) {
 }
 
 TEST_F(Pipe, ThatNobodyReadsIsAnError) {
-  EXPECT_EQ(
-      shell("bash -c '(sleep 0.3; \"$0\" render scene.cli -o - 2> said; echo $? > code) | true' $P; cat code").output,
-      "74\n");
+  EXPECT_EQ(shell("(sleep 0.3; $P render scene.cli -o - 2> said; echo $? > code) | true; cat code").output, "74\n");
   EXPECT_NE(content_of(path("said")).find("Broken pipe"), std::string::npos);
 }
 

@@ -33,6 +33,12 @@ class SittingTest : public testing::Test {
     return RunningProgram(words, log_, environment).wait();
   }
   std::string said() const { return content_of(log_); }
+  // Runs a command of the shell in the folder; $P is the program.
+  ProgramResult shell(const std::string& command) const { return shell_in(folder_.path().string(), command); }
+  // The same, in another folder; the program ends after a minute at most, with 124.
+  static ProgramResult shell_in(const std::string& folder, const std::string& command) {
+    return run_program("cd '" + folder + "'; P='timeout 60 " PENUMBRA_PROGRAM "'; { " + command + "; }");
+  }
 
   // The bytes of an unbroken render, and the seconds it took.
   std::pair<std::string, double> unbroken(const Words& arguments, const std::string& ending = ".exr") const {

@@ -187,6 +187,15 @@ class Window:
     def click(self, x, y):
         self.mouse("mousemove", int(x), int(y), "click", 1)
 
+    def click_knob(self, label, condition):
+        """Clicks a knob of the panel, by what stands on it."""
+        before = self.state["frame"]
+        x, y = self.state["knobs"][label]
+        self.mouse("mousemove", x, y, "mousedown", 1)
+        self.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
+        self.mouse("mouseup", 1)
+        return self.wait(condition, "what %s does" % label, since=before)
+
     def wait_for_rays(self, rays, what="the picture"):
         return self.wait(lambda s: s["picture_task"] == s["task"] and s["rays"] == rays and s["done"],
                          "%s with %d rays per pixel" % (what, rays))

@@ -236,22 +236,14 @@ class KeyTests(Tests):
         assert window.state["scene"].endswith("ant.cli")
         for key, scene in (("n", "bee"), ("n", "cat"), ("n", "ant"), ("shift+n", "cat")):
             window.press(key, lambda s: s["scene"].endswith(scene + ".cli") and current(s), scene)
-        self.click_knob(window, "scene", lambda s: "bee.cli" in s["knobs"])
+        window.click_knob("scene", lambda s: "bee.cli" in s["knobs"])
         # Escape closes the list, and nothing else.
         window.press("Escape", lambda s: "bee.cli" not in s["knobs"], "no list")
-        open_list = self.click_knob(window, "scene", lambda s: "bee.cli" in s["knobs"])
+        open_list = window.click_knob("scene", lambda s: "bee.cli" in s["knobs"])
         window.wait(lambda s: s["frame"] > open_list["frame"] + 1, "the list in its place")
-        self.click_knob(window, "bee.cli", lambda s: s["scene"].endswith("bee.cli") and current(s))
-        self.click_knob(window, "previous scene", lambda s: s["scene"].endswith("ant.cli") and current(s))
-        self.click_knob(window, "next scene", lambda s: s["scene"].endswith("bee.cli") and current(s))
-
-    def click_knob(self, window, label, condition):
-        before = window.state["frame"]
-        x, y = window.state["knobs"][label]
-        window.mouse("mousemove", x, y, "mousedown", 1)
-        window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
-        window.mouse("mouseup", 1)
-        return window.wait(condition, "what %s does" % label, since=before)
+        window.click_knob("bee.cli", lambda s: s["scene"].endswith("bee.cli") and current(s))
+        window.click_knob("previous scene", lambda s: s["scene"].endswith("ant.cli") and current(s))
+        window.click_knob("next scene", lambda s: s["scene"].endswith("bee.cli") and current(s))
 
     def test_escape(self):
         """Escape closes what is open, then the window."""

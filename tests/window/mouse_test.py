@@ -146,7 +146,7 @@ class MouseTests(Tests):
             window.picture_shot(self.path("seen.png"))
             self.put("changed.cli", self.with_lines(state["changed"]))
             self.assert_same_picture(self.path("seen.png"), self.render(self.path("changed.cli"), "it.png"))
-            self.click_knob(window, "As in the file", lambda s: s["changed"] == "rays_per_pixel 4\n" or not s["changed"])
+            window.click_knob("As in the file", lambda s: (s["changed"] == "rays_per_pixel 4\n" or not s["changed"]) and shown(s))
 
     def with_lines(self, lines):
         """The scene with these lines in place of its own."""
@@ -160,20 +160,12 @@ class MouseTests(Tests):
                 scene = scene + line
         return scene
 
-    def click_knob(self, window, label, condition):
-        before = window.state["frame"]
-        x, y = window.state["knobs"][label]
-        window.mouse("mousemove", x, y, "mousedown", 1)
-        window.wait(lambda s: s["frame"] > before + 2, "frames after the button", since=before)
-        window.mouse("mouseup", 1)
-        return window.wait(lambda s: condition(s) and shown(s), label, since=before)
-
     def test_effects_and_sampler(self):
         window = self.open_tiny()
-        self.click_knob(window, "lens 0", lambda s: s["sides"][0]["without"] == "lens")
+        window.click_knob("lens 0", lambda s: s["sides"][0]["without"] == "lens" and shown(s))
         self.check_seen(window, "--without", "lens")
-        self.click_knob(window, "lens 0", lambda s: s["sides"][0]["without"] == "")
-        self.click_knob(window, "sampler 0", lambda s: True)
+        window.click_knob("lens 0", lambda s: s["sides"][0]["without"] == "" and shown(s))
+        window.click_knob("sampler 0", shown)
 
     def test_seed(self):
         window = self.open_tiny()

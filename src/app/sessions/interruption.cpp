@@ -32,7 +32,7 @@ static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free && std::atomi
   ::_exit(EX_TEMPFAIL);
 }
 
-// What is prepared when the end comes has so long to get ready for it.
+// How long the preparation of a scene may go on when the time is up.
 constexpr unsigned seconds_of_grace = 1;
 
 void handle(int number) {

@@ -1,6 +1,6 @@
 // How fast scenes are read, in MB/s on one core: a mesh of about 100 MB as begin/vertex/end text, as binary PLY of both
-// byte orders, as text PLY and as OBJ. Writes its inputs below the folder for temporary files and removes them.
-// Usage: parse_bench [MEGABYTES]
+// byte orders, as text PLY and as OBJ; and as many spheres. Writes its inputs below the folder for temporary files and
+// removes them. Usage: parse_bench [MEGABYTES]
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -90,6 +90,16 @@ void write_text(const Sheet& sheet, const fs::path& path) {
   });
 }
 
+// A sphere at each vertex.
+void write_spheres(const Sheet& sheet, const fs::path& path) {
+  Output out(path);
+  out.print("point_light 0 5 0 1 1 1\n");
+  for (int k = 0; k < sheet.vertices(); k++) {
+    const Vertex v = sheet.vertex(k);
+    out.print("sphere {:.6f} {:.6f} {:.6f} {:.6f}\n", 1.0 / sheet.n, v.x, v.y, v.z);
+  }
+}
+
 void write_obj(const Sheet& sheet, const fs::path& path) {
   Output out(path);
   for (int k = 0; k < sheet.vertices(); k++) {
@@ -130,7 +140,7 @@ double peak_megabytes() {
 // Reads the scene a few times; the best time counts.
 void measure(const std::string& what, const fs::path& scene, const fs::path& data) {
   double best = 1e30;
-  std::size_t triangles = 0;
+  std::size_t shapes = 0;
   for (int run = 0; run < 4; run++) {
     const auto start = std::chrono::steady_clock::now();
     const penumbra::SceneFile file = penumbra::read_scene(scene, {});
@@ -139,12 +149,12 @@ void measure(const std::string& what, const fs::path& scene, const fs::path& dat
       if (d.severity == penumbra::Severity::error) fmt::print("{}", penumbra::to_string(d));
     }
     if (file.actions.empty()) return;
-    triangles = std::get<penumbra::Picture>(file.actions.front()).scene->triangles->triangle_count();
+    const penumbra::Scene& read = *std::get<penumbra::Picture>(file.actions.front()).scene;
+    shapes = std::max(read.triangles->triangle_count(), read.root.objects.size());
   }
   const double megabytes = static_cast<double>(fs::file_size(data)) / 1e6;
-  fmt::print("{:<24} {:7.1f} MB {:8.3f} s {:8.0f} MB/s {:10} triangles {:6.1f} ns each, peak so far {:.0f} MB\n", what,
-             megabytes, best, megabytes / best, triangles, 1e9 * best / static_cast<double>(triangles),
-             peak_megabytes());
+  fmt::print("{:<24} {:7.1f} MB {:8.3f} s {:8.0f} MB/s {:10} shapes {:6.1f} ns each, peak so far {:.0f} MB\n", what,
+             megabytes, best, megabytes / best, shapes, 1e9 * best / static_cast<double>(shapes), peak_megabytes());
   std::fflush(stdout);
 }
 
@@ -166,6 +176,9 @@ int main(int argc, char** argv) {
   write_text(text, folder / "text.cli");
   measure("begin/vertex/end", folder / "text.cli", folder / "text.cli");
   fs::remove(folder / "text.cli");
+  write_spheres({std::max(2, static_cast<int>(std::sqrt(megabytes * 1e6 / 43)))}, folder / "spheres.cli");
+  measure("spheres", folder / "spheres.cli", folder / "spheres.cli");
+  fs::remove(folder / "spheres.cli");
   for (const char* format : {"binary_little_endian", "binary_big_endian", "ascii"}) {
     write_ply(mesh, folder / "mesh.ply", format);
     measure_mesh(std::string("PLY ") + format, folder / "mesh.ply");

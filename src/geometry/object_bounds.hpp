@@ -47,10 +47,10 @@ class ObjectBounds {
 // Calls `visit(object, bounds)` for all objects of some groups that lie in one space, taking nested groups apart; for
 // their triangles together, which may be those of a fine mesh, with the last of them.
 template <class Visit>
-void for_each_object(const std::vector<Object>& objects, ObjectBounds& bounds_of, const Visit& visit) {
+void for_each_object(const Objects& objects, ObjectBounds& bounds_of, const Visit& visit) {
   Bounds triangles;
   const Object* last = nullptr;
-  const auto look_at = [&](const auto& self, const std::vector<Object>& members) -> void {
+  const auto look_at = [&](const auto& self, const Objects& members) -> void {
     for (const Object& object : members) {
       if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape)) {
         self(self, (*group)->objects);

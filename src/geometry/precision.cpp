@@ -13,7 +13,7 @@ namespace {
 constexpr double fewest_steps = 256;
 
 // The distance of neighbouring numbers of single precision near the largest coordinate.
-double step_at(const Bounds& bounds) { return std::exp2(std::ilogb(magnitude(bounds)) - 23); }
+double step_at(const Bounds& bounds) { return std::scalbn(1.0, std::ilogb(magnitude(bounds)) - 23); }
 
 }  // namespace
 

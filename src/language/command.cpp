@@ -26,8 +26,14 @@ const Command* find_command(std::string_view name, bool of_2018) {
       if (command.name == name) return &command;
     }
   }
-  static const std::unordered_map<std::string_view, const Command*> index = [] {
-    std::unordered_map<std::string_view, const Command*> commands;
+  // Length and outer letters tell most names apart.
+  struct Hash {
+    std::size_t operator()(std::string_view word) const {
+      return word.empty() ? 0 : word.size() * 1024 + static_cast<std::size_t>(word.front() * 32 + word.back());
+    }
+  };
+  static const std::unordered_map<std::string_view, const Command*, Hash> index = [] {
+    std::unordered_map<std::string_view, const Command*, Hash> commands;
     for (const Command& command : all_commands()) commands.emplace(command.name, &command);
     return commands;
   }();

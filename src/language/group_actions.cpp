@@ -6,11 +6,11 @@ namespace penumbra::actions {
 
 void moving_object(Reading& reading, const Call& call) {
   reading.note(Topic::motion, call);
-  reading.report(call.place(), reading.builder.move_last(call.vec(0)));
+  reading.report(call, reading.builder.move_last(call.vec(0)));
 }
 
 void begin_group(Reading& reading, const Call& call) {
-  reading.report(call.place(), reading.builder.open_group(call.command.name, call.place()));
+  reading.report(call, reading.builder.open_group(call.command.name, call.place()));
 }
 
 void end_group(Reading& reading, const Call& call) {
@@ -35,7 +35,7 @@ void named_object(Reading& reading, const Call& call) {
     return reading.error(call.place_of_argument(0), "the name {} is used twice; first at {}:{}",
                          in_quotes(call.name(0)), reading.diagnostics.file_of(first), first.line);
   }
-  reading.report(call.place(), reading.builder.name_last(call.name(0), call.place_of_argument(0)));
+  reading.report(call, reading.builder.name_last(call.name(0), call.place_of_argument(0)));
 }
 
 void instance(Reading& reading, const Call& call) {
@@ -48,7 +48,7 @@ void instance(Reading& reading, const Call& call) {
                                      fmt::format("there is no object with the name {}", in_quotes(call.name(0))),
                                      did_you_mean(nearest_word(call.name(0), known)));
   }
-  reading.report(call.place(), reading.builder.add_instance(call.name(0)));
+  reading.report(call, reading.builder.add_instance(call.name(0)));
 }
 
 }  // namespace penumbra::actions

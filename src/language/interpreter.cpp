@@ -1,5 +1,6 @@
 // Executes a line: finds its command, checks the arguments and reports errors in them, and runs the command's action.
-// Lines with `vertex`, of which a mesh can have millions, take a shortcut with the same result.
+// Lines with `vertex`, of which a mesh can have millions, take a shortcut with the same result, and so do lines of
+// plain numbers in which nothing is wrong.
 #include <algorithm>
 #include <cmath>
 
@@ -150,6 +151,11 @@ bool has_open_word(Reading& reading, const Line& line, std::uint32_t visit, cons
   return false;
 }
 
+void act(Reading& reading, const Call& call) {
+  warn_of_byte_colors(reading, call);
+  call.command.action(reading, call);
+}
+
 // The polygon whose line is wrong is left out, so that its other lines are not blamed.
 void leave_polygon_out(Reading& reading, const Command& command) {
   if (command.action != actions::begin && command.action != actions::vertex) return;
@@ -180,9 +186,7 @@ void run_command(Reading& reading, const Command& command, const Line& line, std
                   command.name, reading.builder.polygon_place().line);
     right = false;
   }
-  if (!right) return;
-  warn_of_byte_colors(reading, call);
-  command.action(reading, call);
+  if (right) act(reading, call);
 }
 
 // Remembers the first object after the last picture so far: unless another follows, no picture shows it.
@@ -193,10 +197,32 @@ void watch_objects(Reading& reading, std::uint32_t visit, const Line& line, cons
   }
 }
 
+bool accepts_all(const Form& form, const std::array<double, most_arguments>& number) {
+  for (std::size_t i = 0; i < form.argument.size(); i++) {
+    if (!form.argument[i].is_number() || !accepts(form.argument[i], number[i])) return false;
+  }
+  return true;
+}
+
+// Executes a line of a command and decimal numbers. Returns false and does nothing for any other line and for anything
+// that calls for a message, which the general path then gives.
+bool run_plain_line(Reading& reading, std::uint32_t visit, const Line& line) {
+  PlainLine& plain = reading.plain_line;
+  if (!read_plain_line(line.text, plain)) return false;
+  const Command* const command = find_command(plain.words.word[0], reading.course == Course::year_2018);
+  if (command == nullptr || (!command->in_polygon && reading.builder.in_polygon())) return false;
+  const Form* const form = form_with(*command, plain.words.count - 1);
+  if (form == nullptr || !accepts_all(*form, plain.number)) return false;
+  act(reading, {*command, *form, visit, line, plain.words, plain.number});
+  reading.commands++;
+  watch_objects(reading, visit, line, plain.words);
+  return true;
+}
+
 }  // namespace
 
 void interpret_line(Reading& reading, std::uint32_t visit, const Line& line) {
-  if (read_vertex_quickly(reading.builder, line.text)) return;
+  if (read_vertex_quickly(reading.builder, line.text) || run_plain_line(reading, visit, line)) return;
   const Words words = split_words(line.text);
   if (words.count == 0) return;
   const std::string_view name = words.word[0];

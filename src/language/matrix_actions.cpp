@@ -14,7 +14,7 @@ void multiply(Reading& reading, const Call& call, const Affine& by) {
 
 }  // namespace
 
-void push(Reading& reading, const Call& call) { reading.report(call.place(), reading.builder.push(call.place())); }
+void push(Reading& reading, const Call& call) { reading.report(call, reading.builder.push(call.place())); }
 
 void pop(Reading& reading, const Call& call) {
   const Problem wrong = reading.builder.pop();

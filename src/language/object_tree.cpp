@@ -7,7 +7,7 @@
 namespace penumbra {
 namespace {
 
-Object group_object(std::vector<Object> objects) {
+Object group_object(Objects objects) {
   Object object;
   object.shape = std::make_shared<const Group>(Group{std::move(objects)});
   return object;
@@ -89,9 +89,9 @@ void ObjectTree::close_group() {
 }
 
 Group ObjectTree::snapshot() const {
-  std::vector<Object> inner;
+  Objects inner;
   for (std::size_t level = groups_.size(); level-- > 0;) {
-    std::vector<Object> objects = groups_[level].objects;
+    Objects objects = groups_[level].objects;
     if (level + 1 < groups_.size()) objects.push_back(group_object(std::move(inner)));
     inner = std::move(objects);
   }

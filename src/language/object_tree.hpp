@@ -15,7 +15,7 @@ namespace penumbra {
 
 // A group whose end has not been read yet. The first one is the scene itself.
 struct OpenGroup {
-  std::vector<Object> objects;
+  Objects objects;
   std::string opener;  // the command that opened it
   SourcePlace place;
 

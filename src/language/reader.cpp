@@ -145,7 +145,9 @@ void take_picture(Reading& reading, std::string file, const SourcePlace& place) 
     if (reading.topics[i]) places[i] = reading.diagnostics.known(*reading.topics[i]);
   }
   places[static_cast<std::size_t>(Topic::picture)] = reading.diagnostics.known(place);
-  reading.report(place, reading.builder.add_picture(std::move(file), std::move(places)));
+  if (const Problem wrong = reading.builder.add_picture(std::move(file), std::move(places)); !wrong.empty()) {
+    reading.diagnostics.error(place, wrong);
+  }
   if (reading.diagnostics.has_error()) return;  // what is missing may be what has the error
   const Picture& picture = reading.builder.last_picture();
   const bool has_objects = reading.builder.tree().objects_to_copy() > 0;

@@ -18,6 +18,7 @@
 #include "language/diagnostic_list.hpp"
 #include "language/expression.hpp"
 #include "language/file_bytes.hpp"
+#include "language/plain_line.hpp"
 #include "language/scene_builder.hpp"
 #include "language/scene_file.hpp"
 
@@ -65,6 +66,7 @@ struct Reading {
   std::vector<std::string> files;    // all that were named, each once, by paths that the user can open
   std::size_t reads = 0;
   std::uint64_t commands = 0;
+  PlainLine plain_line;  // the last one read; kept because it is large
   std::uint64_t bytes = 0;
 
   std::map<std::string, SourcePlace> written;  // where each file was named by `write`, by its path in normal form
@@ -82,8 +84,9 @@ struct Reading {
   }
   // Remembers that a command speaks of a topic.
   void note(Topic topic, const Call& call) { topics[static_cast<std::size_t>(topic)] = call.place(); }
-  void report(const SourcePlace& place, const Problem& problem) {
-    if (!problem.empty()) diagnostics.error(place, problem);
+  // Reports a problem, if it is one, at a command.
+  void report(const Call& call, const Problem& problem) {
+    if (!problem.empty()) diagnostics.error(call.place(), problem);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -46,6 +47,7 @@ std::size_t SceneBuilder::size_of_copy() const {
 void SceneBuilder::set_matrix(const Affine& matrix) {
   matrix_ = matrix;
   matrix_checked_ = false;
+  placement_index_.reset();
 }
 
 Problem SceneBuilder::push(const SourcePlace& place) {
@@ -73,7 +75,7 @@ Problem SceneBuilder::check_matrix() {
 }
 
 void SceneBuilder::set_surface(const Surface& surface, const MadeBy& by) {
-  surface_ = surface;
+  change_surface() = surface;
   surface_by_ = by;
 }
 
@@ -83,33 +85,36 @@ void SceneBuilder::add_light(const Light& light, const MadeBy& by) {
 }
 
 std::uint32_t SceneBuilder::surface_index() {
+  if (surface_index_) return *surface_index_;
   std::vector<Surface>& surfaces = scene_.surfaces;
-  for (std::size_t back = 1; back <= surfaces.size() && back <= surfaces_to_compare; back++) {
-    if (surfaces[surfaces.size() - back] == surface_) return static_cast<std::uint32_t>(surfaces.size() - back);
+  const std::size_t compared = std::min(surfaces.size(), surfaces_to_compare);
+  const auto equal = std::find(surfaces.rbegin(), surfaces.rbegin() + static_cast<std::ptrdiff_t>(compared), surface_);
+  auto back = static_cast<std::size_t>(equal - surfaces.rbegin());
+  if (back == compared) {
+    surfaces.push_back(surface_);
+    surface_makers_.push_back(surface_by_);
+    back = 0;
   }
-  surfaces.push_back(surface_);
-  surface_makers_.push_back(surface_by_);
-  return static_cast<std::uint32_t>(surfaces.size() - 1);
+  surface_index_ = static_cast<std::uint32_t>(surfaces.size() - 1 - back);
+  return *surface_index_;
 }
 
 std::uint32_t SceneBuilder::placement_index() {
+  if (placement_index_) return *placement_index_;
   std::vector<Affine>& placements = scene_.placements;
-  if (matrix_ == placements.front()) return 0;
-  if (!(matrix_ == placements.back())) placements.push_back(matrix_);
-  return static_cast<std::uint32_t>(placements.size() - 1);
+  const bool is_identity = matrix_ == placements.front();
+  if (!is_identity && !(matrix_ == placements.back())) placements.push_back(matrix_);
+  placement_index_ = is_identity ? 0 : static_cast<std::uint32_t>(placements.size() - 1);
+  return *placement_index_;
 }
 
-Problem SceneBuilder::add_shape(const Shape& shape, Vec3 motion, bool placed) {
+Problem SceneBuilder::add_shape(Shape shape, Vec3 motion, bool placed) {
   Problem wrong = placed ? check_matrix() : Problem();
   if (!wrong.empty()) return wrong;
   if (!penumbra::fits_single_precision(motion)) return "the motion has become too large";
   change();
-  Object object;
-  object.shape = shape;
-  object.surface = surface_index();
-  if (placed) object.placement = placement_index();
-  object.motion = motion;
-  tree_.add(std::move(object));
+  const std::uint32_t surface = surface_index();
+  tree_.add({std::move(shape), surface, placed ? placement_index() : 0, motion});
   return {};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,11 @@ class SceneBuilder {
   const std::vector<std::pair<Affine, SourcePlace>>& pushed() const { return pushed_; }
 
   // The current surface.
-  Surface& surface() { return surface_; }
+  const Surface& surface() const { return surface_; }
+  Surface& change_surface() {
+    surface_index_.reset();
+    return surface_;
+  }
   void set_surface(const Surface& surface, const MadeBy& by);
 
   void add_light(const Light& light, const MadeBy& by);
@@ -63,7 +68,7 @@ class SceneBuilder {
 
   // Adds a shape under the current matrix or, if it is not to be `placed`, under none; `motion` is in the space of the
   // open group.
-  Problem add_shape(const Shape& shape, Vec3 motion = {}, bool placed = true);
+  Problem add_shape(Shape shape, Vec3 motion = {}, bool placed = true);
   // Adds the triangles from `first` to the end of the store as one object, and the numbers of their normals likewise.
   Problem add_mesh(std::uint32_t first, std::size_t first_normal_number);
 
@@ -110,7 +115,9 @@ class SceneBuilder {
   Affine matrix_;
   bool matrix_checked_ = true;
   std::vector<std::pair<Affine, SourcePlace>> pushed_;
+  std::optional<std::uint32_t> placement_index_;  // of the matrix, once a shape was placed under it
   Surface surface_;
+  std::optional<std::uint32_t> surface_index_;  // of the surface, once a shape had it
   MadeBy surface_by_;
   std::vector<MadeBy> light_makers_, surface_makers_;
   SourcePlace polygon_place_;

@@ -7,7 +7,7 @@ namespace penumbra::actions {
 namespace {
 
 void add_box(Reading& reading, const Call& call, Vec3 a, Vec3 b) {
-  reading.report(call.place(), reading.builder.add_shape(Box{min(a, b), max(a, b)}));
+  reading.report(call, reading.builder.add_shape(Box{min(a, b), max(a, b)}));
 }
 
 // Adds a shape whose position is already transformed; `a` and `b` bound it.
@@ -15,7 +15,7 @@ void add_unplaced(Reading& reading, const Call& call, const Shape& shape, Vec3 a
   if (!fits_single_precision(a) || !fits_single_precision(b)) {
     return reading.error(call.place(), "the current matrix moves the shape too far away");
   }
-  reading.report(call.place(), reading.builder.add_shape(shape, motion, false));
+  reading.report(call, reading.builder.add_shape(shape, motion, false));
 }
 
 void add_sphere(Reading& reading, const Call& call, double radius, Vec3 start, Vec3 end) {
@@ -25,7 +25,7 @@ void add_sphere(Reading& reading, const Call& call, double radius, Vec3 start, V
     const Vec3 center = transform_point(matrix, start);
     add_unplaced(reading, call, Sphere{center, radius}, center, center, motion);
   } else {
-    reading.report(call.place(), reading.builder.add_shape(Sphere{start, radius}, motion));
+    reading.report(call, reading.builder.add_shape(Sphere{start, radius}, motion));
   }
 }
 
@@ -33,7 +33,7 @@ void add_cylinder(Reading& reading, const Call& call, bool capped) {
   const double low = std::min(call[3], call[4]);
   const double high = std::max(call[3], call[4]);
   if (low == high) reading.diagnostics.warning(call.place_of_argument(3), "this cylinder has no height");
-  reading.report(call.place(), reading.builder.add_shape(Cylinder{call[0], call[1], call[2], low, high, capped}));
+  reading.report(call, reading.builder.add_shape(Cylinder{call[0], call[1], call[2], low, high, capped}));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void texture_coord(Reading&, const Call&) {}
 
 void end(Reading& reading, const Call& call) {
   if (reading.builder.in_polygon()) {
-    reading.report(call.place(), reading.builder.end_polygon());
+    reading.report(call, reading.builder.end_polygon());
   } else if (!reading.stray_vertex) {
     const bool in_group = reading.builder.tree().open_groups() > 0;
     const bool is_list = in_group && reading.builder.tree().innermost().opener == "begin_list";
@@ -111,7 +111,7 @@ void cone(Reading& reading, const Call& call) {
       !fits_single_precision({cone.height * cone.slope, 0, 0})) {
     return reading.error(call.place(), "this cone is too large at its top");
   }
-  reading.report(call.place(), reading.builder.add_shape(cone));
+  reading.report(call, reading.builder.add_shape(cone));
 }
 
 void mesh(Reading& reading, const Call& call) {
@@ -137,7 +137,7 @@ void mesh(Reading& reading, const Call& call) {
   if (file->loaded.bytes.has_shrunk()) {
     return reading.diagnostics.error(call.place_of_argument(0), file_has_shrunk);
   }
-  if (!error) return reading.report(call.place(), builder.add_mesh(first, first_normal_number));
+  if (!error) return reading.report(call, builder.add_mesh(first, first_normal_number));
   SourcePlace place = error->place;
   place.visit = reading.diagnostics.open(file->path.string(), call.place(), file->loaded.is_secret);
   reading.diagnostics.error(place, error->message);

@@ -46,7 +46,7 @@ bool has_index(Reading& reading, const Call& call, int transmission) {
 // Replaces the current surface and returns it, for further changes.
 Surface& replace(Reading& reading, const Call& call, const Surface& surface) {
   reading.builder.set_surface(surface, made_by(call));
-  return reading.builder.surface();
+  return reading.builder.change_surface();
 }
 
 }  // namespace
@@ -112,14 +112,14 @@ void translucent(Reading& reading, const Call& call) {
 }
 
 void noise(Reading& reading, const Call& call) {
-  reading.builder.surface().texture = Texture::noise;
-  reading.builder.surface().texture_scale = call[0];
+  reading.builder.change_surface().texture = Texture::noise;
+  reading.builder.change_surface().texture_scale = call[0];
 }
 
-void wood(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::wood; }
+void wood(Reading& reading, const Call&) { reading.builder.change_surface().texture = Texture::wood; }
 
-void marble(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::marble; }
+void marble(Reading& reading, const Call&) { reading.builder.change_surface().texture = Texture::marble; }
 
-void stone(Reading& reading, const Call&) { reading.builder.surface().texture = Texture::stone; }
+void stone(Reading& reading, const Call&) { reading.builder.change_surface().texture = Texture::stone; }
 
 }  // namespace penumbra::actions

@@ -17,7 +17,7 @@ double most_rays_of_lobes(const Scene& scene, int of_reflection, int of_transmis
   return most;
 }
 
-double objects_in(const std::vector<Object>& objects, const std::vector<double>& of_definition) {
+double objects_in(const Objects& objects, const std::vector<double>& of_definition) {
   double count = 0;
   for (const Object& object : objects) {
     if (const auto* instance = std::get_if<Instance>(&object.shape)) {

@@ -10,7 +10,7 @@ bool any_surface(const Scene& scene, const Test& test) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), test);
 }
 
-bool any_moves(const std::vector<Object>& objects) {
+bool any_moves(const Objects& objects) {
   return std::any_of(objects.begin(), objects.end(), [](const Object& object) {
     const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.shape);
     return object.motion != Vec3{} || (group != nullptr && any_moves((*group)->objects));

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <thread>
+#include <vector>
 
-#include "base/parallel_for.hpp"
 #include "rendering/plan.hpp"
 #include "tracing/kernel.hpp"
 
@@ -28,7 +29,13 @@ RayCounts for_tiles(int count, int threads, const RenderState& state, const Work
     const std::lock_guard lock(total_mutex);
     total += rays;
   };
-  run_on_threads(std::min(threads, count), run);
+  {
+    std::vector<std::jthread> helpers;
+    const int helper_count = std::max(std::min(threads, count) - 1, 0);
+    helpers.reserve(static_cast<std::size_t>(helper_count));
+    for (int i = 0; i < helper_count; i++) helpers.emplace_back(run);
+    run();
+  }
   return total;
 }
 

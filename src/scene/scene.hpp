@@ -118,9 +118,11 @@ struct Object {
   Vec3 motion;                  // the object is shifted by time * motion, in the space of the group that contains it
 };
 
+using Objects = ZeroedVector<Object>;  // of a large scene, in large pages
+
 struct Group {
   static constexpr KindName name{"group", "groups"};
-  std::vector<Object> objects;
+  Objects objects;
 };
 
 inline KindName name_of(const Shape& shape) {
@@ -163,7 +165,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Affine> placements{Affine{}};  // [0] is the identity
   std::shared_ptr<TriangleStore> triangles;  // never null in a scene that was read
-  std::vector<Object> definitions;           // the named objects; an Instance refers to one by its index
+  Objects definitions;                       // the named objects; an Instance refers to one by its index
   Group root;
 };
 

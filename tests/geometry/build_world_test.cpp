@@ -35,8 +35,8 @@ Object random_object(SceneMaker& maker, Random& random) {
   return maker.object(random_shape(random), m, random() % 5 == 0 ? random_direction(random) : Vec3{});
 }
 
-std::vector<Object> random_objects(SceneMaker& maker, Random& random, int count) {
-  std::vector<Object> objects;
+Objects random_objects(SceneMaker& maker, Random& random, int count) {
+  Objects objects;
   for (int i = 0; i < count; i++) objects.push_back(random_object(maker, random));
   return objects;
 }
@@ -54,7 +54,7 @@ SceneMaker mixed_scene() {
     maker.add(maker.object(Instance{definition}, random_placement(random, 5)));
     maker.add(maker.object(maker.triangles(icosphere(1)), {}, {1, 0, 0}));
   }
-  std::vector<Object> outer = random_objects(maker, random, 100);
+  Objects outer = random_objects(maker, random, 100);
   outer.push_back(maker.object(SceneMaker::group(random_objects(maker, random, 9000)), {}, {0, 1, 0}));
   outer.push_back(maker.object(SceneMaker::group({})));
   maker.add(maker.object(SceneMaker::group(std::move(outer)), {}, {0, 0, 1}));

@@ -126,7 +126,7 @@ SceneMaker random_scene(std::uint64_t seed, bool with_triangle_runs) {
     return maker.object(maker.triangles(corners), {}, motion);
   };
   const auto group = [&](double extent) {
-    std::vector<Object> members;
+    Objects members;
     for (int i = 0; i < 2; i++) members.push_back(shape(extent));
     members.push_back(run(1, extent, random_motion(random)));
     if (with_triangle_runs) members.push_back(run(60 + random() % 100, extent, {}));

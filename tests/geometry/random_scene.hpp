@@ -33,7 +33,7 @@ class SceneMaker {
     return static_cast<std::uint32_t>(scene_.definitions.size() - 1);
   }
   void add(Object object) { scene_.root.objects.push_back(std::move(object)); }
-  static Shape group(std::vector<Object> objects) { return std::make_shared<const Group>(Group{std::move(objects)}); }
+  static Shape group(Objects objects) { return std::make_shared<const Group>(Group{std::move(objects)}); }
 
   const Scene& scene() const { return scene_; }
   Scene& scene() { return scene_; }

@@ -27,7 +27,7 @@ struct Counts {
   std::uint64_t moving = 0;
 };
 
-void count_objects(const std::vector<Object>& objects, Counts& counts) {
+void count_objects(const Objects& objects, Counts& counts) {
   for (const Object& object : objects) {
     const auto* triangles = std::get_if<TriangleRange>(&object.shape);
     Counts::Kind& kind = counts.kinds[object.shape.index()];

@@ -79,7 +79,7 @@ std::string lens_table(const Scene& scene) {
   if (!(camera.lens_radius > 0)) return {};
   const double time = (camera.shutter_open + camera.shutter_close) / 2;
   std::string text = fmt::format("  {:<10} {}\n", "lens", describe_lens(camera));
-  const std::vector<Object>& objects = scene.root.objects;
+  const Objects& objects = scene.root.objects;
   if (objects.empty()) return text;
   text += fmt::format("{}D: distance along the view of the centre of each object's bounding box at time {:g}\n", indent,
                       time);

@@ -21,24 +21,25 @@ std::int32_t ordered(float value) {
 SweepTree::SweepTree(std::span<const BvhItem> items, std::uint32_t begin, BvhOutput& output)
     : items_(items), begin_(begin), count_(static_cast<std::uint32_t>(items.size())), output_(output) {
   std::array<std::array<std::int32_t, most_items>, 3> keys;
+  for (auto& key : keys) key.fill(std::numeric_limits<std::int32_t>::max());
   for (std::uint32_t i = 0; i < count_; i++) {
     bounds_[i] = items[i].bounds();
     cost_[i] = static_cast<float>(items[i].cost);
     const Float4 center = center_of(bounds_[i]);
     for (int axis = 0; axis < 3; axis++) keys[axis][i] = ordered(center[axis]);
   }
-  // So few are sorted fastest by counting for each how many come before it: nothing has to be predicted.
+  // So few are sorted fastest by counting for each those before it: nothing has to be predicted. Of equal ones, the
+  // first comes first.
   for (int axis = 0; axis < 3; axis++) {
     const std::array<std::int32_t, most_items>& key = keys[axis];
-    std::array<std::int32_t, most_items> place{};
-    for (std::uint32_t i = 1; i < count_; i++) {
-      for (std::uint32_t k = 0; k < i; k++) {
-        const bool in_order = key[k] <= key[i];
-        place[i] += in_order;
-        place[k] += !in_order;
-      }
+    std::array<bool, most_items> taken{};
+    for (std::uint32_t i = 0; i < count_; i++) {
+      std::int32_t place = 0;
+      for (const std::int32_t other : key) place += other < key[i];
+      while (taken[place]) place++;
+      taken[place] = true;
+      sorted_[axis][place] = static_cast<std::uint8_t>(i);
     }
-    for (std::uint32_t i = 0; i < count_; i++) sorted_[axis][place[i]] = static_cast<std::uint8_t>(i);
   }
 }
 

@@ -13,7 +13,7 @@ namespace penumbra {
 class SweepTree {
  public:
   // More are better split between bins: hardly another tree, in less time.
-  static constexpr std::size_t most_items = 16;
+  static constexpr std::size_t most_items = 32;
 
   // The items are those from `begin` on in the group.
   SweepTree(std::span<const BvhItem> items, std::uint32_t begin, BvhOutput& output);

@@ -1,11 +1,12 @@
-// From the scene's tree of objects to groups of leaves: nested groups taken apart, single shapes freed from their
-// instances, placements split off, a BVH over each group.
+// From the scene's tree of objects to groups of leaves: nested groups and small instances taken apart, placements split
+// off, a BVH over each group.
 #include <algorithm>
 
 #include "base/parallel_for.hpp"
 #include "geometry/bvh.hpp"
 #include "geometry/maps.hpp"
 #include "geometry/shape_leaves.hpp"
+#include "geometry/small_instances.hpp"
 #include "geometry/triangle_leaves.hpp"
 #include "geometry/world.hpp"
 
@@ -17,9 +18,13 @@ constexpr std::size_t piece_size = 4096;  // leaves that a thread brings in orde
 class WorldBuilder {
  public:
   WorldBuilder(const Scene& scene, const WorldOptions& options)
-      : scene_(scene), options_(options), triangles_(world_, scene, options_) {
+      : scene_(scene),
+        options_(options),
+        triangles_(world_, scene, options_),
+        small_instances_(scene, options.embree_threshold) {
     world_.triangles = scene.triangles;
     group_of_definition_.assign(scene.definitions.size(), no_group);
+    counted_.assign(scene.definitions.size(), false);
   }
 
   World build() {
@@ -34,7 +39,8 @@ class WorldBuilder {
   // What collects the leaves of one group.
   struct GroupParts : GroupLeaves {
     std::vector<TriangleRun> runs;  // static triangles, waiting for the choice of a room
-    bool has_instances = false;
+    std::size_t instances = 0;      // among the objects of the group
+    bool has_instances = false;     // some of them are not taken apart
   };
 
   // What the instances of a finished group need to know of it.
@@ -52,7 +58,8 @@ class WorldBuilder {
     summaries_.emplace_back();
     GroupParts parts;
     parts.origin = origin;
-    add_objects(parts, objects, {});
+    parts.instances = count_instances(objects);
+    add_objects(parts, objects, {translation(-origin), {}});
     triangles_.add_static(parts, parts.runs);
     const auto first_leaf = static_cast<std::uint32_t>(world_.leaves.size());
     const Bvh bvh = build_bvh(std::move(parts.items), first_leaf, options_.threads, world_.nodes);
@@ -97,60 +104,79 @@ class WorldBuilder {
     return places;
   }
 
+  // The space that objects are placed in, seen from that of the group that they are added to.
+  struct Space {
+    Affine group_from_here;
+    Vec3 motion;               // of the whole, in the space of the group
+    bool is_instance = false;  // that is taken apart
+
+    Vec3 motion_of(const Object& object) const { return motion + transform_vector(group_from_here, object.motion); }
+  };
+
   // Analytic shapes that follow each other are added together.
-  void add_objects(GroupParts& parts, std::span<const Object> objects, Vec3 motion) {
+  void add_objects(GroupParts& parts, std::span<const Object> objects, const Space& space) {
     for (std::size_t i = 0; i < objects.size(); i++) {
       std::size_t end = i;
       while (end < objects.size() && is_analytic(objects[end])) end++;
       if (end > i) {
-        add_shapes(world_, parts, scene_, options_, objects.subspan(i, end - i), translation(-parts.origin), motion);
+        add_shapes(world_, parts, scene_, options_, objects.subspan(i, end - i), space.group_from_here, space.motion);
       }
-      if (end < objects.size()) add(parts, objects[end], motion);
+      if (end < objects.size()) add(parts, objects[end], space);
       i = end;
     }
   }
 
-  void add(GroupParts& parts, const Object& object, Vec3 group_motion) {
-    const Vec3 motion = group_motion + object.motion;
+  void add(GroupParts& parts, const Object& object, const Space& space) {
     const auto add_kind = [&]<typename Kind>(const Kind& shape) {
-      if constexpr (!AnalyticShape<Kind>) add_shape(parts, object, shape, motion);
+      if constexpr (!AnalyticShape<Kind>) add_shape(parts, object, shape, space);
     };
     std::visit(add_kind, object.shape);
   }
-  void add_shape(GroupParts& parts, const Object&, const std::shared_ptr<const Group>& group, Vec3 motion) {
-    add_objects(parts, group->objects, motion);
+  void add_shape(GroupParts& parts, const Object& object, const std::shared_ptr<const Group>& group,
+                 const Space& space) {
+    add_objects(parts, group->objects, {space.group_from_here, space.motion_of(object), space.is_instance});
   }
-  void add_shape(GroupParts& parts, const Object& object, const TriangleRange& range, Vec3 motion) {
-    world_.triangle_count += range.count;
+  void add_shape(GroupParts& parts, const Object& object, const TriangleRange& range, const Space& space) {
+    world_.counts.triangles += range.count;
     world_.has_normals |= range.normals != TriangleRange::flat;
     world_.has_textures |= scene_.surfaces[object.surface].texture != Texture::none;
     const TriangleRun run{range, parts.order, object.surface};
+    const Vec3 motion = space.motion_of(object);
     parts.order += range.count;
-    if (motion == Vec3{}) {
+    if (space.is_instance) {
+      triangles_.add_placed(parts, run, space.group_from_here, motion);
+    } else if (motion == Vec3{}) {
       parts.runs.push_back(run);
     } else {
       triangles_.add_moving(parts, run, motion);
     }
   }
-  void add_shape(GroupParts& parts, const Object& object, const Instance& instance, Vec3 motion) {
-    world_.instance_count++;
-    const Affine placement = translation(-parts.origin) * scene_.placements[object.placement];
-    const Object& definition = scene_.definitions[instance.definition];
-    // An instance of one analytic shape is that shape under the product of the matrices, unless its texture needs the
-    // space between the two.
-    if (is_analytic(definition) && scene_.surfaces[definition.surface].texture == Texture::none) {
-      return add_shapes(world_, parts, scene_, options_, {&definition, 1}, placement, motion);
+  void add_shape(GroupParts& parts, const Object& object, const Instance& instance, const Space& space) {
+    world_.counts.instances++;
+    const Space inside{space.group_from_here * scene_.placements[object.placement], space.motion_of(object), true};
+    const std::uint32_t definition = instance.definition;
+    // What a definition holds counts once.
+    const World::Counts before = world_.counts;
+    if (space.is_instance || small_instances_.takes_apart(definition, parts.instances, inside.motion != Vec3{})) {
+      add_objects(parts, {&scene_.definitions[definition], 1}, inside);
+    } else {
+      add_whole(parts, definition, inside);
     }
-    std::uint32_t& known = group_of_definition_[instance.definition];
-    if (known == no_group) known = add_group({&definition, 1}, {});
+    if (counted_[definition]) world_.counts = before;
+    counted_[definition] = true;
+  }
+  void add_whole(GroupParts& parts, std::uint32_t definition, const Space& space) {
+    std::uint32_t& known = group_of_definition_[definition];
+    if (known == no_group) known = add_group({&scene_.definitions[definition], 1}, {});
     const GroupSummary& inside = summaries_[known];
     if (is_empty(inside.bounds)) return;
+    const Affine& placement = space.group_from_here;
     Leaf leaf(LeafKind::instance);
     leaf.target = known;
     leaf.placement = add_placement(world_, placement);
     leaf.order = touch_order(leaf.passage, parts.order++);
     const double reach = row_sum(placement) * inside.magnitude + max_component(abs(placement.translation));
-    parts.add(leaf, {transform(placement, inside.bounds), motion, reach}, instance_cost, options_);
+    parts.add(leaf, {transform(placement, inside.bounds), space.motion, reach}, instance_cost, options_);
     parts.has_instances = true;
   }
 
@@ -158,6 +184,8 @@ class WorldBuilder {
   const WorldOptions options_;
   World world_;
   TriangleLeaves triangles_;
+  const SmallInstances small_instances_;
+  std::vector<bool> counted_;  // definitions whose shapes World::counts has
   std::vector<std::uint32_t> group_of_definition_;
   std::vector<GroupSummary> summaries_;  // of each group of the world
 };

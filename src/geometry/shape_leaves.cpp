@@ -83,7 +83,7 @@ void add_shapes(World& world, GroupLeaves& group, const Scene& scene, const Worl
     });
   }
   group.order += static_cast<std::uint32_t>(objects.size());
-  world.shape_count += objects.size();
+  world.counts.shapes += objects.size();
 }
 
 }  // namespace penumbra

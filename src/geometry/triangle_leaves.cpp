@@ -1,5 +1,6 @@
 #include "geometry/triangle_leaves.hpp"
 
+#include <array>
 #include <utility>
 
 #include "geometry/embree_library.hpp"
@@ -85,15 +86,13 @@ void TriangleLeaves::add_mesh(GroupLeaves& group, const std::vector<TriangleRun>
   group.add(leaf, {shift(bounds, -group.origin), motion, magnitude(bounds)}, mesh_cost, options_);
 }
 
-void TriangleLeaves::add_singly(GroupLeaves& group, const TriangleRun& run, Vec3 motion) {
+template <typename Corners>
+void TriangleLeaves::add_each(GroupLeaves& group, const TriangleRun& run, const Corners& corners, Vec3 motion) {
   const TriangleStore& store = *scene_.triangles;
   const Passage passage = passage_of(scene_.surfaces[run.surface], true);
   const std::size_t first = group.leaves.size();
   for (std::uint32_t i = 0; i < run.range.count; i++) {
-    const std::uint32_t triangle = run.range.first + i;
-    const Vec3 a = corner_of(store, triangle, 0) - group.origin;
-    const Vec3 b = corner_of(store, triangle, 1) - group.origin;
-    const Vec3 c = corner_of(store, triangle, 2) - group.origin;
+    const auto [a, b, c] = corners(run.range.first + i);
     if (!(length(cross(b - a, c - a)) > 0)) continue;  // a triangle without area is never hit
     Leaf leaf(leaf_of_triangle(a, b, c));
     leaf.target = run.surface;
@@ -110,6 +109,26 @@ void TriangleLeaves::add_singly(GroupLeaves& group, const TriangleRun& run, Vec3
     group.normals.resize(group.leaves.size() - 1, TriangleRange::flat);
     group.normals.push_back(normals);
   }
+}
+
+void TriangleLeaves::add_singly(GroupLeaves& group, const TriangleRun& run, Vec3 motion) {
+  const auto corners = [&](std::uint32_t triangle) {
+    const auto corner = [&](std::size_t k) { return corner_of(*scene_.triangles, triangle, k) - group.origin; };
+    return std::array{corner(0), corner(1), corner(2)};
+  };
+  add_each(group, run, corners, motion);
+}
+
+void TriangleLeaves::add_placed(GroupLeaves& group, const TriangleRun& run, const Affine& group_from_run, Vec3 motion) {
+  // A map that mirrors takes the outward side along.
+  const bool mirrors = dot(cross(group_from_run.column[0], group_from_run.column[1]), group_from_run.column[2]) < 0;
+  const auto corners = [&](std::uint32_t triangle) {
+    const auto corner = [&](std::size_t k) {
+      return transform_point(group_from_run, corner_of(*scene_.triangles, triangle, k));
+    };
+    return std::array{corner(0), corner(mirrors ? 2 : 1), corner(mirrors ? 1 : 2)};
+  };
+  add_each(group, run, corners, motion);
 }
 
 }  // namespace penumbra

@@ -23,6 +23,9 @@ class TriangleLeaves {
   // Adds a run that moves as one.
   void add_moving(GroupLeaves& group, const TriangleRun& run, Vec3 motion);
 
+  // Adds a run of flat triangles under a map to the space of the group.
+  void add_placed(GroupLeaves& group, const TriangleRun& run, const Affine& group_from_run, Vec3 motion);
+
   // Adds static runs, in the order of the group. Small ones that follow each other are joined first. A long run is an
   // Embree scene of its own: at equal distance Embree's rounding would decide inside one scene, we do between two.
   void add_static(GroupLeaves& group, const std::vector<TriangleRun>& runs);
@@ -30,6 +33,9 @@ class TriangleLeaves {
  private:
   void add_mesh(GroupLeaves& group, const std::vector<TriangleRun>& runs, Vec3 motion);
   void add_singly(GroupLeaves& group, const TriangleRun& run, Vec3 motion);
+  // `corners` has the three corners of a triangle in the space of the group, by its number in the run.
+  template <typename Corners>
+  void add_each(GroupLeaves& group, const TriangleRun& run, const Corners& corners, Vec3 motion);
 
   World& world_;
   const Scene& scene_;

@@ -78,9 +78,11 @@ struct World {
 
   double reach = 0;  // the largest coordinate, in absolute value, that any hit may have
 
-  std::uint64_t shape_count = 0;     // analytic shapes, each definition counted once
-  std::uint64_t triangle_count = 0;  // likewise
-  std::uint64_t instance_count = 0;
+  // What the scene names: analytic shapes, triangles and instances, those of each definition once.
+  struct Counts {
+    std::uint64_t shapes = 0, triangles = 0, instances = 0;
+    bool operator==(const Counts&) const = default;
+  } counts;
 };
 
 struct WorldOptions {

@@ -107,7 +107,7 @@ void expect_same(const World& a, const World& b) {
   expect_same_bytes(a.groups, b.groups);
   expect_same_bytes(a.leaf_normals, b.leaf_normals);
   EXPECT_EQ(a.reach, b.reach);
-  EXPECT_EQ(a.shape_count, b.shape_count);
+  EXPECT_EQ(a.counts, b.counts);
 }
 
 World build(const Scene& scene, int threads, Vec3 origin = {}) {

@@ -250,9 +250,9 @@ class RenderRun {
     stats_.isa = kernel_.isa;
     stats_.settings = frame.settings;
     stats_.noise = asked_.noise;
-    stats_.shapes = frame.world.shape_count;
-    stats_.triangles = frame.world.triangle_count;
-    stats_.instances = frame.world.instance_count;
+    stats_.shapes = frame.world.counts.shapes;
+    stats_.triangles = frame.world.counts.triangles;
+    stats_.instances = frame.world.counts.instances;
     stats_.lights = frame.lights.size();
   }
 

@@ -45,7 +45,7 @@ def shapes(count):
 LAWS = {  # of the work of all rays: (scene, sizes, exponent of each step)
     "depth of glass": (glass, (4, 8, 16), (math.log2(2.5), math.log2(1.5))),
     "lights": (lights, (10, 100, 1000), (0.75, 0.2)),
-    "shapes": (shapes, (1000, 10_000, 100_000), (0.25, 0.25)),
+    "shapes": (shapes, (1000, 10_000, 100_000), (0.33, 0.33)),
 }
 
 

@@ -97,6 +97,7 @@ instructions: build
 check-instructions: build
 	@scripts/install-dependencies.sh instructions
 	@python3 bench/instructions.py --penumbra $(BUILD)/penumbra
+	@python3 bench/scaling.py --penumbra $(BUILD)/penumbra
 
 lint:
 	@scripts/install-dependencies.sh lint

@@ -38,11 +38,12 @@ def compiler_of(program):
 
 
 def count(penumbra, scene, options):
+    """The instructions of the render loop for a scene file."""
     with tempfile.TemporaryDirectory() as folder:
         profile = os.path.join(folder, "callgrind.out")
         command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}",
                    "--toggle-collect=penumbra::render_samples(*RenderState&)",
-                   penumbra, "render", os.path.join(ROOT, "scenes", scene + ".cli"), "-o",
+                   penumbra, "render", scene, "-o",
                    os.path.join(folder, "out.png"), "--quiet", "--threads", "1", "--isa", ISA, *options]
         result = subprocess.run(command, capture_output=True, text=True)
         if result.returncode != 0:
@@ -71,7 +72,7 @@ def main():
     counts = {}
     worst = 0
     for scene, options in SCENES.items():
-        counts[scene] = count(arguments.penumbra, scene, options)
+        counts[scene] = count(arguments.penumbra, os.path.join(ROOT, "scenes", scene + ".cli"), options)
         line = f"{scene}: {counts[scene]:,} instructions"
         if scene in known:
             change = counts[scene] / known[scene] - 1

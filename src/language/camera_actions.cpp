@@ -102,4 +102,13 @@ void sampler(Reading& reading, const Call& call) {
       did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
 
+void branching(Reading& reading, const Call& call) {
+  const std::optional<Branching> found = value_named<Branching>(call.name(0), branching_names);
+  if (!found) {
+    return reading.error(call.place_of_argument(0), "there is no branching {}; there are {}", in_quotes(call.name(0)),
+                         fmt::join(branching_names, ", "));
+  }
+  reading.builder.change().settings.branching = *found;
+}
+
 }  // namespace penumbra::actions

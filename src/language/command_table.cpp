@@ -48,10 +48,11 @@ constexpr Argument name = {.name = "name", .kind = Kind::name};
 constexpr Argument year = {.name = "year", .kind = Kind::name}, ignored = {.name = "word", .kind = Kind::name};
 constexpr Argument flat = {.name = "`flat`", .kind = Kind::name};
 constexpr Argument which = {.name = "blinn|phong", .kind = Kind::name};
+constexpr Argument how_far = {.name = "full|auto", .kind = Kind::name};
 constexpr Argument pixels_w = whole("w", 1, most_side), pixels_h = whole("h", 1, most_side);
 constexpr Argument rays = whole("n", 1, most_rays_per_pixel), depth = whole("n", 0, most_depth),
                    any_seed = whole("n", 0, 4294967295.0);
-constexpr Argument rays_each = whole("n", 1, most_hit_rays);
+constexpr Argument rays_each = whole("n", 1, most_hit_rays), light_rays = whole("n", 0, most_hit_rays);
 
 constexpr double far_pixel = 1 << 30;
 constexpr Argument px0 = whole("x0", -far_pixel, far_pixel), py0 = whole("y0", -far_pixel, far_pixel);
@@ -121,6 +122,10 @@ constexpr std::array table{
     Command{"max_depth", sampling, takes<depth>,
             "at this depth, no further rays are sent; the ray from the eye has depth 0; 8",
             actions::set<&Settings::max_depth>},
+    Command{"branching", sampling, takes<how_far>,
+            "what is traced where a surface reflects and transmits: both rays, or where they are worth little one of "
+            "them; auto",
+            actions::branching},
     Command{"reflection_rays", sampling, takes<rays_each>,
             "reflected rays from each hit of a ray from the eye; every deeper hit sends one; 1",
             actions::set<&Settings::reflection_rays>},
@@ -128,6 +133,11 @@ constexpr std::array table{
             actions::set<&Settings::transmission_rays>},
     Command{"shadow_rays", sampling, takes<rays_each>, "the same for shadow rays, to each light with an area; 1",
             actions::set<&Settings::shadow_rays>},
+    Command{
+        "light_rays", sampling, takes<light_rays>,
+        "shadow rays from each hit in all, each to a light that is chosen by what it can bring; 0: to all lights; 0 up "
+        "to 64 lights, else 24",
+        actions::set<&Settings::light_rays>},
 
     Command{"light", lights, takes<x, y, z, r, g, b>, "a point light, equally bright at every distance",
             actions::point_light},

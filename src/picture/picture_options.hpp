@@ -48,7 +48,8 @@ struct CameraAxes {
 struct PictureOptions {
   std::optional<std::pair<int, int>> size;
   std::optional<int> rays, max_depth;
-  std::optional<int> reflection_rays, transmission_rays, shadow_rays;
+  std::optional<int> reflection_rays, transmission_rays, shadow_rays, light_rays;
+  std::optional<Branching> branching;
   std::optional<Pattern> sampler;
   std::optional<std::uint32_t> seed;
   std::optional<PixelRect> crop;

@@ -15,6 +15,7 @@ double rays_of_sample(const Frame& frame) {
     at_eye += light.has_area ? frame.settings.shadow_rays : 1;
     deeper += 1;
   }
+  if (frame.light_rays > 0) at_eye = deeper = 1 + frame.light_rays;
   const Settings& settings = frame.settings;
   const double branches = settings.max_depth > 0 ? settings.reflection_rays + settings.transmission_rays : 0;
   return at_eye + branches * deeper * std::min(settings.max_depth, 4);

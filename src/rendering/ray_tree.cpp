@@ -67,7 +67,7 @@ RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std
                      std::size_t most) {
   RayTree tree;
   Keeper keeper{tree, most};
-  kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add, &keeper.given_up});
+  tree.color = kernel.record_sample(frame, x, y, sample, count, {&keeper, Keeper::add, &keeper.given_up});
   tree.given_up = keeper.given_up;
   return tree;
 }
@@ -107,7 +107,7 @@ std::array<float, 3> sum_of(const RayTree& tree, std::size_t number) {
 std::array<float, 3> value_in_film(const Frame& frame, const RayTree& tree) {
   std::array<float, 3> value{};
   for (std::size_t c = 0; c < 3; c++) {
-    float color = tree.rays.front().came_back[c];
+    float color = tree.color[c];
     if (!(std::abs(color) <= largest_finite_sample)) color = frame.largest_color;
     value[c] = static_cast<float>(std::nearbyint(double{color} / frame.color_quantum) * frame.color_quantum);
   }

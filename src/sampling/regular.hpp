@@ -12,7 +12,12 @@ PENUMBRA_INLINE Ints regular_order(Ints index, std::uint32_t count, std::uint32_
   return dimension == pixel_x ? index : permute(index, count, Ints(hash(dimension, 0x51ed270bu)));
 }
 
-inline Pair regular_pair(Ints index, std::uint32_t count, std::uint32_t dimension) {
+PENUMBRA_INLINE Ints regular_order(Ints index, std::uint32_t count, Ints dimension) {
+  return permute(index, count, hash(dimension, Ints(0x51ed270bu)));
+}
+
+template <typename Word>
+inline Pair regular_pair(Ints index, std::uint32_t count, Word dimension) {
   const Strata strata(count);
   return place_in(strata, stratum_at(strata, regular_order(index, count, dimension)), {Floats(0.5f), Floats(0.5f)});
 }

@@ -5,6 +5,7 @@
 #include "sampling/bluenoise.hpp"
 #include "sampling/halton.hpp"
 #include "sampling/jittered.hpp"
+#include "sampling/lone_sampler.hpp"
 #include "sampling/multijittered.hpp"
 #include "sampling/poisson.hpp"
 #include "sampling/random.hpp"
@@ -91,6 +92,9 @@ class Sampler {
     }
     return other_single(hash(key_, Ints(dimension)), dimension);
   }
+
+  // For rays of the same samples that go on alone.
+  PENUMBRA_INLINE LoneSampler alone() const { return {key_, index_, count_, choice_->pattern == Pattern::random}; }
 
   // Two later dimensions of the fixed regular pattern, whatever the pattern of the picture, indexed by the sample of
   // the pixel or, where a hit sends several rays, by the ray.

@@ -24,6 +24,17 @@ enum class LensModel : std::uint8_t {
 
 inline constexpr std::string_view lens_model_names[] = {"thin", "cone"};
 
+// Settings::light_rays: all lights where there are few or all pixels have one ray, else chosen ones.
+inline constexpr int automatic_light_rays = -1;
+
+// What is traced where a surface reflects and transmits.
+enum class Branching : std::uint8_t {
+  full,      // both rays, down to the last depth
+  automatic  // both where they count, then one of them
+};
+
+inline constexpr std::string_view branching_names[] = {"full", "auto"};
+
 struct Settings {
   int width = 300, height = 300;  // pixels
   int rays_per_pixel = 1;
@@ -32,6 +43,8 @@ struct Settings {
   int max_depth = 8;  // the eye ray has depth 0; at this depth, no further rays are sent
   // How many rays the hit of an eye ray sends: reflected, transmitted, to each area light. Deeper hits send one each.
   int reflection_rays = 1, transmission_rays = 1, shadow_rays = 1;
+  int light_rays = automatic_light_rays;  // that each hit sends in all, to lights it chooses; 0: to all lights
+  Branching branching = Branching::automatic;
   LensModel lens_model = LensModel::thin;
   bool regular_lights = false;       // area lights are sampled at a fixed regular set of points
   bool shadows = true;               // if not, every light reaches every surface

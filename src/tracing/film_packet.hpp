@@ -8,9 +8,6 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// Adding and subtracting this rounds a double to a whole multiple of the quantum.
-PENUMBRA_INLINE double rounder(double quantum) { return quantum * 6755399441055744.0; }  // 1.5 * 2^52
-
 PENUMBRA_INLINE Mask is_finite_sample(Floats value) { return abs(value) <= Floats(largest_finite_sample); }
 
 // The results of one packet of samples: what it adds to each sum of a pixel, plane by plane.

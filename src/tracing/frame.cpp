@@ -120,6 +120,23 @@ double largest_color(const Scene& scene) {
 
 }  // namespace
 
+int chosen_light_rays(const Scene& scene) {
+  const Settings& settings = scene.settings;
+  const auto lights = static_cast<int>(std::min<std::size_t>(scene.lights.size(), most_hit_rays + 1));
+  if (settings.light_rays != automatic_light_rays) return settings.light_rays < lights ? settings.light_rays : 0;
+  // Measured: at equal error, all lights are sooner up to about so many (bench/README.md).
+  constexpr int most_lights_for_all = 64, rays = 24;
+  const bool averages = settings.course == Course::off && settings.rays_per_pixel > 1;
+  return averages && lights > most_lights_for_all ? rays : 0;
+}
+
+bool chooses_branches(const Scene& scene) {
+  const Settings& settings = scene.settings;
+  const auto sends_two = [](const Surface& s) { return s.reflection != 0 && s.transmission != 0; };
+  return settings.branching == Branching::automatic && settings.course == Course::off && settings.rays_per_pixel > 1 &&
+         std::ranges::any_of(scene.surfaces, sends_two);
+}
+
 Vec3 origin_for(Vec3 eye) {
   constexpr double far_from_origin = 64;
   if (max_component(abs(eye)) <= far_from_origin) return {};
@@ -150,11 +167,15 @@ Frame make_frame(const Scene& scene, World world) {
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
   frame.settings = settings;
+  frame.chooses_branches = chooses_branches(scene);
+  frame.light_rays = chosen_light_rays(scene);
+  if (frame.light_rays > 0) frame.light_clusters = make_light_clusters(frame.lights, frame.light_rays);
   const auto size = [](int count) { return static_cast<std::uint32_t>(count); };
-  frame.tables = make_sample_tables(settings.pattern,
-                                    {size(settings.rays_per_pixel), size(settings.reflection_rays),
-                                     size(settings.transmission_rays), size(settings.shadow_rays)},
-                                    settings.seed);
+  frame.tables = make_sample_tables(
+      settings.pattern,
+      {size(settings.rays_per_pixel), size(settings.reflection_rays), size(settings.transmission_rays),
+       size(settings.shadow_rays), size(std::max(frame.light_rays, 1))},
+      settings.seed);
   frame.color_quantum = quantum_for(std::min(largest_color(scene), double{largest_finite_sample}));
   frame.largest_color =
       static_cast<float>(std::min(std::ldexp(frame.color_quantum, quantum_bits), double{largest_finite_sample}));

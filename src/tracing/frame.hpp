@@ -8,7 +8,7 @@
 #include "geometry/world.hpp"
 #include "sampling/sample_tables.hpp"
 #include "scene/scene.hpp"
-#include "tracing/light.hpp"
+#include "tracing/light_clusters.hpp"
 
 namespace penumbra {
 
@@ -47,6 +47,9 @@ struct Frame {
   std::vector<FrameLight> lights;
   std::vector<FrameSurface> surfaces;
   Settings settings;
+  int light_rays = 0;             // that each hit sends to lights that it chooses; 0: to all lights
+  LightClusters light_clusters;   // where it is not 0
+  bool chooses_branches = false;  // of the rays that a hit sends (tracing/branching.hpp)
   SampleTables tables;
   // Powers of two, 2^-quantum_bits of the largest sample: samples are rounded to whole multiples of these before they
   // are summed.
@@ -57,6 +60,16 @@ struct Frame {
     return {settings.pattern, static_cast<std::uint32_t>(settings.rays_per_pixel), settings.seed, &tables};
   }
 };
+
+// Both rays of a hit are traced if the geometric mean of what they are worth is at least this.
+inline constexpr float least_worth_of_two = 1.0f / 8;
+
+// Whether the picture chooses branches: where a surface sends two rays, and other samples of a pixel average what the
+// choice leaves out. The pictures of the course have whole trees.
+bool chooses_branches(const Scene& scene);
+
+// How many shadow rays each hit sends to lights that it chooses; 0: to all lights.
+int chosen_light_rays(const Scene& scene);
 
 // The origin of the space that rays are traced in. Single precision is finest round zero: a scene that is seen from far
 // out is traced relative to its eye. Whole numbers keep round coordinates exact.

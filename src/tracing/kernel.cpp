@@ -7,13 +7,15 @@
 namespace penumbra::PENUMBRA_KERNEL {
 
 namespace recording {
-void record_sample(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count, const RayListener&);
+std::array<float, 3> record_sample(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count,
+                                   const RayListener&);
 }
 
 namespace {
 
 void render_pixels(const Frame& frame, const FilmView& film, const PixelSamples& wanted, RayCounts& counts) {
-  PacketRenderer{frame, film, wanted, counts, {}}.render();
+  OpenPackets open(frame);
+  PacketRenderer{frame, film, wanted, counts, {}, open}.render();
 }
 
 void probe_intersect(const World& world, std::span<const ProbeRay> rays, std::span<ProbeHit> hits) {

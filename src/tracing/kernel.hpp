@@ -2,6 +2,7 @@
 // of lanes that was compiled. Nothing else of the compiled packets is visible outside.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -19,7 +20,9 @@ struct Kernel {
   // Adds the samples to the film and the rays to the counts. Allocates nothing.
   void (*render_pixels)(const Frame&, const FilmView&, const PixelSamples&, RayCounts&);
   // Traces one sample of a pixel, as render_pixels does for a picture of `count` samples, and tells all its rays.
-  void (*record_sample)(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count, const RayListener&);
+  // Returns its colour.
+  std::array<float, 3> (*record_sample)(const Frame&, int x, int y, std::uint32_t sample, std::uint32_t count,
+                                        const RayListener&);
   // What each ray hits first, by the same packets as in a picture.
   void (*intersect)(const World&, std::span<const ProbeRay>, std::span<ProbeHit>);
   // The first u.size() sample points of a pixel: its places in the pixel (pixel_x), on the lens

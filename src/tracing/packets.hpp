@@ -12,34 +12,96 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
+// Samples of a packet, and what their trees bring.
+struct TracedPacket {
+  Ints column, row;
+  std::uint32_t first;  // lane k is sample first + k % samples_per_pixel
+  int samples_per_pixel;
+  Mask active;
+  // What the trees bring; not defined before.
+  Rays rays;
+  FirstHits first_hits;
+  Float3 color;
+
+  PENUMBRA_INLINE TracedPacket() {}
+  PENUMBRA_INLINE TracedPacket(Ints x, Ints y, std::uint32_t first_sample, int samples, Mask lanes)
+      : column(x), row(y), first(first_sample), samples_per_pixel(samples), active(lanes) {}
+};
+
+// Packets whose lone rays are still on their way.
+struct OpenPackets {
+  struct Packet {
+    TracedPacket traced;
+    std::span<const Pixel> pixels;
+  };
+  LoneRays lone_rays;
+  Packet packets[LoneRays::most_packets];
+  std::uint32_t count = 0;
+
+  OpenPackets(const Frame& frame)
+      : lone_rays(frame.color_quantum, frame.chooses_branches, !records && frame.world.meshes.empty()) {}
+};
+
 struct PacketRenderer {
   const Frame& frame;
   const FilmView& film;
   const PixelSamples& wanted;
   RayCounts& counts;
   [[no_unique_address]] Recorder recorder;
+  OpenPackets& open;
   PatternChoice pattern = frame.pattern_choice();
   float quanta = static_cast<float>(1 / frame.color_quantum);  // of a colour of 1
 
-  // Traces the samples of one packet into `sums`.
-  PENUMBRA_INLINE void add_packet(const PixelSampler& pixel, Ints column, Ints row, std::uint32_t first,
-                                  int samples_per_pixel, Mask active, PixelSums& sums) const {
-    const Sampler sampler(pattern, pixel, first, samples_per_pixel);
-    Rays rays = eye_rays(frame, sampler, to_floats(column), to_floats(row), active);
-    rays.given_up = wanted.given_up;
-    counts[RayKind::eye] += static_cast<std::uint64_t>(count(active));
-    const TraceContext context{frame, sampler, counts, recorder};
-    FirstHits first_hits;
-    const bool color_alone = film.plane_count == 1;
-    Float3 color = trace(context, rays, active, 0, tree_root, color_alone ? nullptr : &first_hits);
-    if (color_alone && sums.color.add(keep(active, color), quanta)) return;
+  PENUMBRA_INLINE bool color_alone() const { return film.plane_count == 1; }
+
+  PENUMBRA_INLINE TraceContext context(const Sampler& sampler) const {
+    return {frame, sampler, counts, open.lone_rays, wanted.given_up, recorder};
+  }
+
+  // Traces the trees of the samples of one packet.
+  PENUMBRA_INLINE void trace_packet(const PixelSampler& pixel, TracedPacket& packet) const {
+    const Sampler sampler(pattern, pixel, packet.first, packet.samples_per_pixel);
+    packet.rays = eye_rays(frame, sampler, to_floats(packet.column), to_floats(packet.row), packet.active);
+    packet.rays.given_up = wanted.given_up;
+    counts[RayKind::eye] += static_cast<std::uint64_t>(count(packet.active));
+    packet.color =
+        trace(context(sampler), packet.rays, packet.active, TreeNode{}, color_alone() ? nullptr : &packet.first_hits);
+  }
+
+  // Adds the samples of a packet to `sums`.
+  PENUMBRA_INLINE void add_packet(const TracedPacket& packet, Float3 color, PixelSums& sums) const {
+    const Mask active = packet.active;
+    recorder.samples(color);
+    if (color_alone() && sums.color.add(keep(active, color), quanta)) return;
     const Mask x = is_finite_sample(color.x), y = is_finite_sample(color.y), z = is_finite_sample(color.z);
     if (const Mask wrong = active & ~(x & y & z); any(wrong)) {
-      note_not_finite(wrong, column, row, first, samples_per_pixel);
+      note_not_finite(wrong, packet.column, packet.row, packet.first, packet.samples_per_pixel);
       const Floats largest = Floats(frame.largest_color);
       color = {select(x, color.x, largest), select(y, color.y, largest), select(z, color.z, largest)};
     }
-    sums.add(PacketResult(frame, film, active, color, first_hits, rays));
+    sums.add(PacketResult(frame, film, active, color, packet.first_hits, packet.rays));
+  }
+
+  // Where rays go on alone, packets stay open until there are some of them.
+  void open_packet(const PixelSampler& pixel, std::span<const Pixel> pixels, const TracedPacket& packet) const {
+    OpenPackets::Packet& last = open.packets[open.count++];
+    last.traced = packet;
+    last.pixels = pixels;
+    trace_packet(pixel, last.traced);
+    if (!open.lone_rays.next_packet()) close_packets();
+  }
+  void close_packets() const {
+    if (open.count == 0) return;
+    const PixelSampler any_pixel(0u, 0u, 0u);
+    trace_waiting(context(Sampler(pattern, any_pixel, 0, lane_count)));
+    for (std::uint32_t i = 0; i < open.count; i++) {
+      const auto& [packet, pixels] = open.packets[i];
+      PixelSums sums;
+      add_packet(packet, open.lone_rays.with_light(i, packet.color), sums);
+      add_to_film(frame, film, pixels, sums, packet.samples_per_pixel);
+    }
+    open.count = 0;
+    open.lone_rays.open();
   }
 
   // Counts the samples of a packet that are not finite.
@@ -66,9 +128,15 @@ struct PacketRenderer {
       const PixelSampler sampler(pixel.x, pixel.y, frame.settings.seed);
       PixelSums sums;
       for (std::uint32_t index = first; index < end; index += lane_count) {
-        add_packet(sampler, column, row, index, lane_count, samples_wanted(index, lane_count), sums);
+        TracedPacket packet{column, row, index, lane_count, samples_wanted(index, lane_count)};
+        if (frame.chooses_branches) {
+          open_packet(sampler, {&pixel, 1}, packet);
+          continue;
+        }
+        trace_packet(sampler, packet);
+        add_packet(packet, packet.color, sums);
       }
-      add_to_film(frame, film, {&pixel, 1}, sums, lane_count);
+      if (!frame.chooses_branches) add_to_film(frame, film, {&pixel, 1}, sums, lane_count);
     }
   }
 
@@ -85,8 +153,14 @@ struct PacketRenderer {
       };
       const Ints column = of_pixels(&Pixel::x), row = of_pixels(&Pixel::y);
       const PixelSampler sampler(column, row, frame.settings.seed);
+      TracedPacket packet{column, row, first, samples, inside & samples_wanted(first, samples)};
+      if (frame.chooses_branches) {
+        open_packet(sampler, pixels, packet);
+        continue;
+      }
       PixelSums sums;
-      add_packet(sampler, column, row, first, samples, inside & samples_wanted(first, samples), sums);
+      trace_packet(sampler, packet);
+      add_packet(packet, packet.color, sums);
       add_to_film(frame, film, pixels, sums, samples);
     }
   }
@@ -110,6 +184,7 @@ struct PacketRenderer {
       }
       index = std::min(end, wanted.end);
     }
+    close_packets();
   }
 };
 

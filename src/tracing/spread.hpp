@@ -30,9 +30,9 @@ PENUMBRA_INLINE Refraction refract(Float3 d, Float3 n, Floats index_ratio) {
 }
 
 // Spreads unit directions inside a ball of `radius`; the result stays on the side of the surface that `side` points to.
-PENUMBRA_INLINE Float3 spread(Float3 direction, Floats radius, Float3 side, const Sampler& sampler,
-                              std::uint32_t dimension) {
-  const Float3 ball = warp_to_ball(sampler.pair(dimension), sampler.single(dimension + 1));
+template <typename AnySampler, typename Word>
+PENUMBRA_INLINE Float3 spread(Float3 direction, Floats radius, Float3 side, const AnySampler& sampler, Word dimension) {
+  const Float3 ball = warp_to_ball(sampler.pair(dimension), sampler.single(dimension + Word(1)));
   // A right-handed frame round the direction (Duff et al. 2017): the ball's z runs along it.
   const Floats sign = copysign(Floats(1), direction.z);
   const Floats a = Floats(-1) / (sign + direction.z);

@@ -91,10 +91,12 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "shutter",
                            "reflection_rays",
                            "transmission_rays",
-                           "shadow_rays"}) {
+                           "shadow_rays",
+                           "branching",
+                           "light_rays"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
-  EXPECT_EQ(all_commands().size(), 65u);
+  EXPECT_EQ(all_commands().size(), 67u);
 }
 
 // Every command has an error for one argument too many and, if it takes any, for one too few.

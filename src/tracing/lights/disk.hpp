@@ -35,11 +35,11 @@ inline FrameDiskLight frame_light(const DiskLight& l, Vec3 origin) {
 #ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
-PENUMBRA_INLINE Float3 point_on(const FrameDiskLight& light, Pair random) {
+PENUMBRA_INLINE Float3 point_on(const FrameDiskLight& light, const auto& read, Pair random) {
   const DiskPoint disk = warp_to_disk(random);
-  return broadcast3(light.center) + broadcast3(light.u) * disk.x + broadcast3(light.v) * disk.y;
+  return read(light.center) + read(light.u) * disk.x + read(light.v) * disk.y;
 }
-PENUMBRA_INLINE Float3 radiance(const FrameDiskLight&, Float3 color, Float3) { return color; }
+PENUMBRA_INLINE Float3 radiance(const FrameDiskLight&, const auto&, Float3 color, Float3) { return color; }
 
 }  // namespace penumbra::PENUMBRA_KERNEL
 #endif

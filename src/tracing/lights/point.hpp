@@ -22,8 +22,8 @@ inline FramePointLight frame_light(const PointLight& l, Vec3 origin) {
 #ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
-PENUMBRA_INLINE Float3 point_on(const FramePointLight& light, Pair) { return broadcast3(light.center); }
-PENUMBRA_INLINE Float3 radiance(const FramePointLight&, Float3 color, Float3) { return color; }
+PENUMBRA_INLINE Float3 point_on(const FramePointLight& light, const auto& read, Pair) { return read(light.center); }
+PENUMBRA_INLINE Float3 radiance(const FramePointLight&, const auto&, Float3 color, Float3) { return color; }
 
 }  // namespace penumbra::PENUMBRA_KERNEL
 #endif

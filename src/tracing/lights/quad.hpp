@@ -25,12 +25,12 @@ inline FrameQuadLight frame_light(const QuadLight& l, Vec3 origin) {
 #ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
-PENUMBRA_INLINE Float3 point_on(const FrameQuadLight& light, Pair random) {
+PENUMBRA_INLINE Float3 point_on(const FrameQuadLight& light, const auto& read, Pair random) {
   const Floats s = Floats(2) * random.u - Floats(1);
   const Floats t = Floats(2) * random.v - Floats(1);
-  return broadcast3(light.center) + broadcast3(light.u) * s + broadcast3(light.v) * t;
+  return read(light.center) + read(light.u) * s + read(light.v) * t;
 }
-PENUMBRA_INLINE Float3 radiance(const FrameQuadLight&, Float3 color, Float3) { return color; }
+PENUMBRA_INLINE Float3 radiance(const FrameQuadLight&, const auto&, Float3 color, Float3) { return color; }
 
 }  // namespace penumbra::PENUMBRA_KERNEL
 #endif

@@ -31,12 +31,12 @@ inline FrameSpotLight frame_light(const SpotLight& l, Vec3 origin) {
 #ifdef PENUMBRA_LANES
 namespace penumbra::PENUMBRA_KERNEL {
 
-PENUMBRA_INLINE Float3 point_on(const FrameSpotLight& light, Pair) { return broadcast3(light.center); }
+PENUMBRA_INLINE Float3 point_on(const FrameSpotLight& light, const auto& read, Pair) { return read(light.center); }
 
-PENUMBRA_INLINE Float3 radiance(const FrameSpotLight& light, Float3 color, Float3 toward_light) {
-  const Floats cosine = -dot(toward_light, broadcast3(light.axis));
-  const Floats outer = Floats(light.cosine_outer);
-  const Floats width = Floats(light.cosine_inner) - outer;
+PENUMBRA_INLINE Float3 radiance(const FrameSpotLight& light, const auto& read, Float3 color, Float3 toward_light) {
+  const Floats cosine = -dot(toward_light, read(light.axis));
+  const Floats outer = read(light.cosine_outer);
+  const Floats width = read(light.cosine_inner) - outer;
   const Floats t = min(max((cosine - outer) / max(width, Floats(1e-12f)), Floats(0)), Floats(1));
   const Floats smooth = t * t * (Floats(3) - Floats(2) * t);
   return color * keep(cosine >= outer, smooth);

@@ -21,24 +21,25 @@ std::int32_t ordered(float value) {
 SweepTree::SweepTree(std::span<const BvhItem> items, std::uint32_t begin, BvhOutput& output)
     : items_(items), begin_(begin), count_(static_cast<std::uint32_t>(items.size())), output_(output) {
   std::array<std::array<std::int32_t, most_items>, 3> keys;
+  for (auto& key : keys) key.fill(std::numeric_limits<std::int32_t>::max());
   for (std::uint32_t i = 0; i < count_; i++) {
     bounds_[i] = items[i].bounds();
     cost_[i] = static_cast<float>(items[i].cost);
     const Float4 center = center_of(bounds_[i]);
     for (int axis = 0; axis < 3; axis++) keys[axis][i] = ordered(center[axis]);
   }
-  // So few are sorted fastest by counting for each how many come before it: nothing has to be predicted.
+  // So few are sorted fastest by counting for each those before it: nothing has to be predicted. Of equal ones, the
+  // first comes first.
   for (int axis = 0; axis < 3; axis++) {
     const std::array<std::int32_t, most_items>& key = keys[axis];
-    std::array<std::int32_t, most_items> place{};
-    for (std::uint32_t i = 1; i < count_; i++) {
-      for (std::uint32_t k = 0; k < i; k++) {
-        const bool in_order = key[k] <= key[i];
-        place[i] += in_order;
-        place[k] += !in_order;
-      }
+    std::array<bool, most_items> taken{};
+    for (std::uint32_t i = 0; i < count_; i++) {
+      std::int32_t place = 0;
+      for (const std::int32_t other : key) place += other < key[i];
+      while (taken[place]) place++;
+      taken[place] = true;
+      sorted_[axis][place] = static_cast<std::uint8_t>(i);
     }
-    for (std::uint32_t i = 0; i < count_; i++) sorted_[axis][place[i]] = static_cast<std::uint8_t>(i);
   }
 }
 
@@ -58,7 +59,7 @@ NodeReference SweepTree::build(std::uint32_t begin, std::uint32_t end, int along
     if (!(split.cost < half_area(bounds, scale) * (cost - node_cost)) || depth >= balanced_below_depth)
       return leaf(begin, end, along);
   }
-  if (split.axis < 0 || depth >= balanced_below_depth) {
+  if (depth >= balanced_below_depth) {
     split.axis = longest_axis(bounds.hi - bounds.lo);
     split.position = count / 2;
   }
@@ -89,19 +90,22 @@ SweepTree::Split SweepTree::best_split(std::uint32_t begin, std::uint32_t end, c
   }
   bounds = {};
   cost = {};
-  // Costs are not negative: the bits of a smaller one are a smaller number. Below them stands the place.
+  // Costs are not negative: the bits of a smaller one are a smaller number. Below them stands the place; of equal
+  // costs, the one nearest to the middle is taken.
   std::uint64_t best = std::numeric_limits<std::uint64_t>::max();
   for (std::uint32_t i = count; i-- > 1;) {
+    const std::uint32_t off_middle = 2 * i > count ? 2 * i - count : count - 2 * i;
     for (int axis = 0; axis < 3; axis++) {
       const int item = sorted_[axis][begin + i];
       bounds[axis].include(bounds_[item]);
       cost[axis] += cost_[item];
       const float total = left[axis][i] + half_area(bounds[axis], scale) * cost[axis];
-      best = std::min(best, std::uint64_t{std::bit_cast<std::uint32_t>(total)} << 32 | i << 2 | axis);
+      const std::uint32_t place = off_middle << 16 | i << 2 | static_cast<std::uint32_t>(axis);
+      best = std::min(best, std::uint64_t{std::bit_cast<std::uint32_t>(total)} << 32 | place);
     }
   }
   return {std::bit_cast<float>(static_cast<std::uint32_t>(best >> 32)), static_cast<int>(best & 3),
-          static_cast<std::uint32_t>(best) >> 2};
+          static_cast<std::uint32_t>(best & 0xffff) >> 2};
 }
 
 FloatBounds SweepTree::bounds_of(int axis, std::uint32_t begin, std::uint32_t end) const {

@@ -17,26 +17,28 @@ bool is_exact(const Leaf& leaf) {
 
 }  // namespace
 
-double GroupLeaves::store(std::size_t index, const Leaf& leaf, const LeafExtent& extent, std::uint32_t cost,
-                          const WorldOptions& options) {
+double GroupLeaves::finish(std::size_t index, const LeafExtent& extent, std::uint32_t cost,
+                           const WorldOptions& options) {
   // Hit points and ray origins carry errors of this share of their largest coordinate, and the bounds become numbers of
   // single precision: they are wider by as much.
   constexpr double bounds_margin = 1.0 / (1 << 20) + 1.0 / (1 << 23);
-  const Bounds over_shutter = include(shift(extent.bounds, extent.motion * options.shutter_open),
-                                      shift(extent.bounds, extent.motion * options.shutter_close));
-  const double largest =
-      std::max({penumbra::magnitude(extent.bounds), penumbra::magnitude(over_shutter), extent.reach});
-  Leaf& stored = leaves[index];
-  stored = leaf;
-  set3(stored.motion, extent.motion);
-  stored.moves = extent.motion != Vec3{};
-  stored.place = static_cast<std::uint32_t>(index);
-  if (stored.moves || !is_exact(stored)) stored.slack = static_cast<float>(largest * slack_share);
-  const Bounds wide = grow(over_shutter, largest * bounds_margin + FLT_TRUE_MIN);
+  Leaf& leaf = leaves[index];
+  leaf.moves = extent.motion != Vec3{};
+  leaf.place = static_cast<std::uint32_t>(index);
+  Bounds bounds = extent.bounds;
+  double largest = std::max(penumbra::magnitude(bounds), extent.reach);
+  if (leaf.moves) {
+    set3(leaf.motion, extent.motion);
+    bounds = include(shift(bounds, extent.motion * options.shutter_open),
+                     shift(bounds, extent.motion * options.shutter_close));
+    largest = std::max(largest, penumbra::magnitude(bounds));
+  }
+  if (leaf.moves || !is_exact(leaf)) leaf.slack = static_cast<float>(largest * slack_share);
+  bounds = grow(bounds, largest * bounds_margin + FLT_TRUE_MIN);
   BvhItem& item = items[index];
-  set3(item.lo, wide.lo);
-  set3(item.hi, wide.hi);
-  item.leaf = stored.place;
+  set3(item.lo, bounds.lo);
+  set3(item.hi, bounds.hi);
+  item.leaf = leaf.place;
   item.cost = cost;
   return largest;
 }

@@ -46,13 +46,15 @@ struct GroupLeaves {
     return first;
   }
 
-  // Stores a leaf where there is room for it, and returns the largest coordinate on the way to its hits.
-  double store(std::size_t index, const Leaf& leaf, const LeafExtent& extent, std::uint32_t cost,
-               const WorldOptions& options);
+  // Sets what the leaf at an index has from its extent, and its bounds; returns the largest coordinate on the way to
+  // its hits.
+  double finish(std::size_t index, const LeafExtent& extent, std::uint32_t cost, const WorldOptions& options);
 
   // Adds a leaf whose order is known.
   void add(const Leaf& leaf, const LeafExtent& extent, std::uint32_t cost, const WorldOptions& options) {
-    magnitude = std::max(magnitude, store(make_room(1), leaf, extent, cost, options));
+    const std::size_t index = make_room(1);
+    leaves[index] = leaf;
+    magnitude = std::max(magnitude, finish(index, extent, cost, options));
   }
 };
 

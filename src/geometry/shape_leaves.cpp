@@ -1,5 +1,8 @@
 #include "geometry/shape_leaves.hpp"
 
+#include <new>
+#include <optional>
+
 #include "base/parallel_for.hpp"
 #include "geometry/maps.hpp"
 
@@ -16,31 +19,30 @@ struct Piece {
   std::size_t placed = 0;  // leaves that need a placement
 };
 
-struct ShapeLeaf {
-  Leaf leaf;
-  LeafExtent extent;
-  std::uint32_t cost;
-};
+// Makes the leaf of an object. A shape that the map keeps of its kind is traced as what it becomes, others behind a
+// placement.
+struct LeafMaker {
+  const Affine& m;
+  Leaf& leaf;
+  LeafExtent& extent;
 
-// A shape that the map keeps of its kind is traced as what it becomes, others behind a placement.
-template <AnalyticShape Shape>
-ShapeLeaf leaf_of_shape(const Shape& shape, const Affine& m) {
-  if (const std::optional<Shape> moved = mapped(m, shape)) {
-    return {Leaf(leaf_of(*moved)), {bounds_of(*moved), {}}, shape_cost};
+  template <AnalyticShape Shape>
+  void operator()(const Shape& shape) const {
+    if (const std::optional<Shape> moved = mapped(m, shape)) {
+      new (&leaf) Leaf(leaf_of(*moved));
+      extent.bounds = bounds_of(*moved);
+      return;
+    }
+    new (&leaf) Leaf(leaf_of(shape));
+    leaf.placement = needs_placement;
+    extent.bounds = transformed_bounds(m, shape);
+    extent.reach = row_sum(m) * magnitude(bounds_of(shape)) + max_component(abs(m.translation));
   }
-  ShapeLeaf placed{Leaf(leaf_of(shape)), {transformed_bounds(m, shape), {}}, placed_cost};
-  placed.leaf.placement = needs_placement;
-  placed.extent.reach = row_sum(m) * magnitude(bounds_of(shape)) + max_component(abs(m.translation));
-  return placed;
-}
-
-ShapeLeaf leaf_of_object(const Object& object, const Affine& m) {
-  const auto make = [&]<typename Kind>(const Kind& shape) -> ShapeLeaf {
-    if constexpr (AnalyticShape<Kind>) return leaf_of_shape(shape, m);
+  template <class Other>
+  void operator()(const Other&) const {
     __builtin_unreachable();
-  };
-  return std::visit(make, object.shape);
-}
+  }
+};
 
 }  // namespace
 
@@ -56,14 +58,18 @@ void add_shapes(World& world, GroupLeaves& group, const Scene& scene, const Worl
     Piece& piece = pieces[p];
     each(p, [&](const Object& object, std::size_t index, std::size_t i) {
       const Surface& surface = scene.surfaces[object.surface];
-      ShapeLeaf made = leaf_of_object(object, outer * scene.placements[object.placement]);
-      made.leaf.target = object.surface;
-      made.leaf.passage = passage_of(surface, false);
-      made.leaf.order = touch_order(made.leaf.passage, group.order + static_cast<std::uint32_t>(i));
-      made.extent.motion = motion + transform_vector(outer, object.motion);
-      piece.magnitude = std::max(piece.magnitude, group.store(index, made.leaf, made.extent, made.cost, options));
+      const Affine m = object.placement == 0 ? outer : outer * scene.placements[object.placement];
+      LeafExtent extent{{}, motion + transform_vector(outer, object.motion)};
+      Leaf& leaf = group.leaves[index];
+      std::visit(LeafMaker{m, leaf, extent}, object.shape);
+      leaf.target = object.surface;
+      leaf.passage = passage_of(surface, false);
+      leaf.order = touch_order(leaf.passage, group.order + static_cast<std::uint32_t>(i));
+      const bool is_placed = leaf.placement == needs_placement;
+      piece.magnitude =
+          std::max(piece.magnitude, group.finish(index, extent, is_placed ? placed_cost : shape_cost, options));
       piece.has_textures |= surface.texture != Texture::none;
-      piece.placed += made.leaf.placement == needs_placement;
+      piece.placed += is_placed;
     });
   });
   for (std::size_t p = 0; p < pieces.size(); p++) {

@@ -25,33 +25,27 @@ inline float inverse_extent(const FloatBounds& b) {
   return inverse <= std::numeric_limits<float>::max() ? inverse : 0;
 }
 
+inline constexpr int bin_count = 32;
+
 // Which bins there are: equal parts of the extent of the centres.
 class BinGrid {
  public:
-  static constexpr int most_bins = 32;
-
-  // More items are worth more bins.
-  BinGrid(const FloatBounds& centers, std::size_t items)
-      : count_(static_cast<int>(std::min<std::size_t>(most_bins, 4 + items / items_per_bin))), lo_(centers.lo) {
+  explicit BinGrid(const FloatBounds& centers) : lo_(centers.lo) {
     const Float4 extent = centers.hi - centers.lo;
     for (int axis = 0; axis < 3; axis++) {
-      const float scale = static_cast<float>(count_) / extent[axis];
+      const float scale = bin_count / extent[axis];
       scale_[axis] = scale <= std::numeric_limits<float>::max() ? scale : 0;  // along a point, all are in the first bin
     }
   }
 
-  int count() const { return count_; }
-
   // The bins of a centre along the axes. What is not a number is in the first bin.
   Int4 bins_of(Float4 center) const {
     const Float4 place = (center - lo_) * scale_;
-    const float last = static_cast<float>(count_ - 1);
+    constexpr float last = bin_count - 1;
     return __builtin_convertvector(min(max(place, Float4{}), Float4{last, last, last, last}), Int4);
   }
 
  private:
-  static constexpr std::size_t items_per_bin = 4;
-  int count_;
   Float4 lo_;
   Float4 scale_{};
 };
@@ -67,10 +61,9 @@ struct BinnedSplit {
 
 class Bins {
  public:
-  void clear(int count) {
-    count_ = count;
-    for (auto& along : bounds_) std::fill_n(along.begin(), count, FloatBounds());
-    for (auto& along : cost_) std::fill_n(along.begin(), count, 0);
+  void clear() {
+    for (auto& along : bounds_) along.fill(FloatBounds());
+    for (auto& along : cost_) along.fill(0);
   }
 
   void add(std::span<const BvhItem> items, const BinGrid& grid) {
@@ -86,7 +79,7 @@ class Bins {
   }
   void add(const Bins& other) {
     for (std::size_t axis = 0; axis < 3; axis++) {
-      for (int i = 0; i < count_; i++) {
+      for (int i = 0; i < bin_count; i++) {
         bounds_[axis][i].include(other.bounds_[axis][i]);
         cost_[axis][i] += other.cost_[axis][i];
       }
@@ -98,17 +91,17 @@ class Bins {
     float best = std::numeric_limits<float>::infinity();
     BinnedSplit split;
     for (int axis = 0; axis < 3; axis++) {
-      std::array<float, BinGrid::most_bins> right;
+      std::array<float, bin_count> right;
       FloatBounds bounds;
       std::uint32_t cost = 0;
-      for (int i = count_ - 1; i > 0; i--) {
+      for (int i = bin_count - 1; i > 0; i--) {
         bounds.include(bounds_[axis][i]);
         cost += cost_[axis][i];
         right[i] = cost > 0 ? half_area(bounds, scale) * static_cast<float>(cost) : FloatBounds::infinity;
       }
       bounds = {};
       cost = 0;
-      for (int i = 1; i < count_; i++) {
+      for (int i = 1; i < bin_count; i++) {
         bounds.include(bounds_[axis][i - 1]);
         cost += cost_[axis][i - 1];
         const float total = half_area(bounds, scale) * static_cast<float>(cost) + right[i];
@@ -120,14 +113,13 @@ class Bins {
       }
     }
     if (split.axis < 0) return split;
-    for (int i = 0; i < count_; i++) (i < split.bin ? split.left : split.right).include(bounds_[split.axis][i]);
+    for (int i = 0; i < bin_count; i++) (i < split.bin ? split.left : split.right).include(bounds_[split.axis][i]);
     return split;
   }
 
  private:
-  int count_ = 0;
-  std::array<std::array<FloatBounds, BinGrid::most_bins>, 3> bounds_;
-  std::array<std::array<std::uint32_t, BinGrid::most_bins>, 3> cost_{};
+  std::array<std::array<FloatBounds, bin_count>, 3> bounds_{};
+  std::array<std::array<std::uint32_t, bin_count>, 3> cost_{};
 };
 
 }  // namespace penumbra

@@ -64,7 +64,7 @@ class LevelSplitter {
     if (range.count() <= subtree_size || range.depth >= balanced_below_depth) {
       result_.subtrees.push_back({range, parent, side, items_, spare_});
     } else {
-      level_.push_back({range, parent, side, BinGrid(range.centers, range.count()), {}, 0, {}});
+      level_.push_back({range, parent, side, BinGrid(range.centers), {}, 0, {}});
     }
   }
 
@@ -83,13 +83,13 @@ class LevelSplitter {
     cut_level();
     for_pieces([&](Piece& piece) {
       const BinGrid& grid = level_[piece.range].grid;
-      piece.bins.clear(grid.count());
+      piece.bins.clear();
       piece.bins.add(piece.items, grid);
     });
     auto piece = pieces_.begin();
     Bins bins;
     for (std::size_t i = 0; i < level_.size(); i++) {
-      bins.clear(level_[i].grid.count());
+      bins.clear();
       for (; piece != pieces_.end() && piece->range == i; piece++) bins.add(piece->bins);
       level_[i].split = bins.best_split(inverse_extent(level_[i].range.bounds));
     }

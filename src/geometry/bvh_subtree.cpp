@@ -29,8 +29,8 @@ struct SubtreeBuilder {
 
   Halves split(const BvhRange& range) {
     if (range.depth >= balanced_below_depth) return split_by_count(range);
-    const BinGrid grid(range.centers, range.count());
-    bins.clear(grid.count());
+    const BinGrid grid(range.centers);
+    bins.clear();
     bins.add(items_of(range), grid);
     const BinnedSplit best = bins.best_split(inverse_extent(range.bounds));
     if (best.axis < 0) return split_by_count(range);

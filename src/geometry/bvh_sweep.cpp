@@ -59,7 +59,7 @@ NodeReference SweepTree::build(std::uint32_t begin, std::uint32_t end, int along
     if (!(split.cost < half_area(bounds, scale) * (cost - node_cost)) || depth >= balanced_below_depth)
       return leaf(begin, end, along);
   }
-  if (split.axis < 0 || depth >= balanced_below_depth) {
+  if (depth >= balanced_below_depth) {
     split.axis = longest_axis(bounds.hi - bounds.lo);
     split.position = count / 2;
   }
@@ -90,19 +90,22 @@ SweepTree::Split SweepTree::best_split(std::uint32_t begin, std::uint32_t end, c
   }
   bounds = {};
   cost = {};
-  // Costs are not negative: the bits of a smaller one are a smaller number. Below them stands the place.
+  // Costs are not negative: the bits of a smaller one are a smaller number. Below them stands the place; of equal
+  // costs, the one nearest to the middle is taken.
   std::uint64_t best = std::numeric_limits<std::uint64_t>::max();
   for (std::uint32_t i = count; i-- > 1;) {
+    const std::uint32_t off_middle = 2 * i > count ? 2 * i - count : count - 2 * i;
     for (int axis = 0; axis < 3; axis++) {
       const int item = sorted_[axis][begin + i];
       bounds[axis].include(bounds_[item]);
       cost[axis] += cost_[item];
       const float total = left[axis][i] + half_area(bounds[axis], scale) * cost[axis];
-      best = std::min(best, std::uint64_t{std::bit_cast<std::uint32_t>(total)} << 32 | i << 2 | axis);
+      const std::uint32_t place = off_middle << 16 | i << 2 | static_cast<std::uint32_t>(axis);
+      best = std::min(best, std::uint64_t{std::bit_cast<std::uint32_t>(total)} << 32 | place);
     }
   }
   return {std::bit_cast<float>(static_cast<std::uint32_t>(best >> 32)), static_cast<int>(best & 3),
-          static_cast<std::uint32_t>(best) >> 2};
+          static_cast<std::uint32_t>(best & 0xffff) >> 2};
 }
 
 FloatBounds SweepTree::bounds_of(int axis, std::uint32_t begin, std::uint32_t end) const {

@@ -13,7 +13,7 @@ namespace penumbra {
 class SweepTree {
  public:
   // More are better split between bins: hardly another tree, in less time.
-  static constexpr std::size_t most_items = 32;
+  static constexpr std::size_t most_items = 48;
 
   // The items are those from `begin` on in the group.
   SweepTree(std::span<const BvhItem> items, std::uint32_t begin, BvhOutput& output);
@@ -22,8 +22,8 @@ class SweepTree {
  private:
   struct Split {
     float cost;
-    int axis = -1;  // none
-    std::uint32_t position = 0;
+    int axis;
+    std::uint32_t position;  // items before it go left
   };
 
   // `along`: an axis in whose order the items of the range follow each other.

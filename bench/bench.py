@@ -15,6 +15,8 @@ import subprocess
 import tempfile
 import time
 
+import scaling
+
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PROTOTYPE_SCENES = ["a", "b", "aG", "bG"]
 RUNS_OF_A_TURN = 10
@@ -49,9 +51,9 @@ def timed_run(penumbra, scene, *options):
         return time.perf_counter() - start, printed
 
 
-def rendering_and_rest(penumbra, scene):
+def rendering_and_rest(penumbra, scene, *options):
     """The seconds a process takes to render, and those for everything else, including printing its statistics."""
-    whole, stats = timed_run(penumbra, scene, "--stats", "/dev/stdout")
+    whole, stats = timed_run(penumbra, scene, "--stats", "/dev/stdout", *options)
     rendering = json.loads(stats)["render_seconds"]
     return rendering, whole - rendering
 
@@ -203,6 +205,35 @@ def compare_with_revision(penumbra, before, revision, turns):
     print()
 
 
+def compare_growth(penumbra, before, turns):
+    """How render seconds grow with depth, lights and shapes, over three decades; with an earlier revision, against it."""
+    print("How seconds grow, 300x300, 16 rays per pixel, 1 thread: rendering, and in brackets all else:\n")
+    print("| what | size | now s |" + (" then s | now / then |" if before else "") + "\n| --- | --: | --: |" +
+          (" --: | --: |" if before else ""))
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "scene.cli")
+        for what, make, sizes, most_before in [("depth of glass", scaling.glass, [2, 4, 8, 16, 100], 8),
+                                               ("lights", scaling.lights, [10, 100, 1000, 10_000], 1000),
+                                               ("shapes", scaling.shapes, [1000, 10_000, 100_000, 1_000_000], 10**9)]:
+            for size in sizes:
+                with open(path, "w") as file:
+                    file.write("\n".join(make(size)) + "\n")
+                programs = [penumbra] + ([before] if before and size <= most_before else [])
+                runs = [[rendering_and_rest(program, path, "--rays", "16") for program in programs]
+                        for _ in range(turns)]
+                def seconds(k):
+                    return " ".join(f.format(statistics.median(run[k][part] for run in runs))
+                                    for part, f in ((0, "{:.3f}"), (1, "({:.3f})")))
+                row = f"| {what} | {size} | {seconds(0)} |"
+                if len(programs) == 2:
+                    ratio = statistics.median(sum(run[0]) / sum(run[1]) for run in runs)
+                    row += f" {seconds(1)} | {ratio:.2f} |"
+                elif before:
+                    row += " | |"
+                print(row, flush=True)
+    print()
+
+
 MESH_SCENE = """fov 60
 image_size 300 300
 background .2 .4 .8
@@ -315,6 +346,7 @@ def main():
     with one_core():
         compare_with_prototype(arguments.penumbra, peers, arguments.turns)
         compare_with_revision(arguments.penumbra, before, arguments.before, min(arguments.turns, 3))
+        compare_growth(arguments.penumbra, before, min(arguments.turns, 3))
         rays_per_second(arguments.penumbra, min(arguments.turns, 3))
         compare_instruction_sets(arguments.penumbra, min(arguments.turns, 3))
         compare_sizes(arguments.penumbra, arguments.turns)

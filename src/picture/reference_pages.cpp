@@ -44,20 +44,21 @@ std::string ranges(const Form& form) {
   return text;
 }
 
-std::string command_row(const Command& command) {
-  std::string how, limits;
-  for (const Form& form : command.forms) {
-    if (!how.empty()) how += "<br>";
-    how += fmt::format("`{}`{}{}", command.name, form.count() > 0 ? " " : "", argument_names(form));
-    limits = ranges(form);
-  }
-  return fmt::format("\n| {} | {} | {} |", how, command.help, limits);
-}
-
+// Inside tables, a bar would begin another cell.
 std::string with_escaped_bars(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
   return escaped;
+}
+
+std::string command_row(const Command& command) {
+  std::string how, limits;
+  for (const Form& form : command.forms) {
+    if (!how.empty()) how += "<br>";
+    how += fmt::format("`{}`{}{}", command.name, form.count() > 0 ? " " : "", with_escaped_bars(argument_names(form)));
+    limits = ranges(form);
+  }
+  return fmt::format("\n| {} | {} | {} |", how, command.help, limits);
 }
 
 const char* where(OptionUse use) {
@@ -77,7 +78,8 @@ std::string row_of(const PictureOption& row) {
   const std::size_t bracket = row.help.rfind(" [");
   std::string value = row.metavar.empty() ? std::string() : fmt::format(" {}", row.metavar);
   if (row.value_is_optional) value = fmt::format("[={}]", row.metavar);
-  const std::string command = row.command.empty() ? std::string("no command") : fmt::format("`{}`", row.command);
+  const std::string command =
+      row.command.empty() ? std::string("no command") : fmt::format("`{}`", with_escaped_bars(row.command));
   return with_escaped_bars(fmt::format("`--{}{}`", row.name, value)) + " | " +
          with_escaped_bars(row.help.substr(0, bracket)) + " | " +
          row.help.substr(bracket + 2, row.help.size() - bracket - 3) + " | " + command + " | " + where(row.use);

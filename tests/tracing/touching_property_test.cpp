@@ -17,7 +17,7 @@ class Room {
   Room(int seed, double gap, Vec3 shift) : random_(static_cast<std::uint32_t>(seed)), gap_(gap), shift_(shift) {
     text_ = fmt::format("image_size 32 24\nfov 70\nrays_per_pixel 16\nmax_depth 5\neye {} {} {}\n", shift.x,
                         shift.y + 1.2, shift.z + 3.8);
-    add(fmt::format("disk_light {} 1 0 -1 0.2 0.9 0.9 0.9", at({between(-1, 1), 2 - gap, between(-1, 1)}, 0.5)));
+    add(fmt::format("disk_light {} 0 -1 0.2 0.9 0.9 0.9", at({between(-1, 1), 2 - gap, between(-1, 1)}, 0.5)));
     add("surface 0.6 0.6 0.5 0.05 0.05 0.05 0 0 0 1 0");
     box({-3, -0.5, -4}, {3, 0, 4});  // floor, ceiling and walls
     box({-3, 2, -4}, {3, 2.5, 4});
@@ -121,11 +121,12 @@ void expect_gaps_do_not_show(Vec3 shift, double gap) {
   }
   const int pixels = rooms * 2 * 24 * 32;
   EXPECT_LT(different, pixels / 500) << "of " << pixels;
-  EXPECT_LT(sum / pixels, 5e-4);
+  // What is left are the gaps themselves: it grows as they do.
+  EXPECT_LT(sum / pixels, 3 * gap);
 }
 
 TEST(TouchingShapes, LookAsWithThinGaps) { expect_gaps_do_not_show({}, 1e-4); }
-TEST(TouchingShapes, LookAsWithThinGapsFarFromTheOrigin) { expect_gaps_do_not_show({1000, -500, 2000}, 1e-3); }
+TEST(TouchingShapes, LookAsWithThinGapsFarFromTheOrigin) { expect_gaps_do_not_show({1000, -500, 2000}, 3e-4); }
 
 }  // namespace
 }  // namespace penumbra::test

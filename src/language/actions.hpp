@@ -12,7 +12,7 @@ namespace penumbra::actions {
 CommandFunction background, image_size, write, render, read, reset_timer, print_timer, course, color, rect;
 
 // camera_actions.cpp
-CommandFunction fov, eye, uvw, lens, camera_lens, shutter, rays_per_pixel, sampler, branching;
+CommandFunction fov, eye, uvw, lens, camera_lens, shutter, rays_per_pixel, sampler, filter, branching;
 
 // Stores a whole number in the settings.
 template <auto setting>

@@ -102,6 +102,15 @@ void sampler(Reading& reading, const Call& call) {
       did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
 }
 
+void filter(Reading& reading, const Call& call) {
+  const std::optional<PixelFilter> found = value_named<PixelFilter>(call.name(0), pixel_filter_names);
+  if (!found) {
+    return reading.error(call.place_of_argument(0), "there is no filter {}; there are {}", in_quotes(call.name(0)),
+                         fmt::join(pixel_filter_names, ", "));
+  }
+  reading.builder.change().settings.filter = *found;
+}
+
 void branching(Reading& reading, const Call& call) {
   const std::optional<Branching> found = value_named<Branching>(call.name(0), branching_names);
   if (!found) {

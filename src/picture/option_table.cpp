@@ -30,10 +30,10 @@ void add_words(Words& words, const Scene& scene, const PictureOptions& options, 
 
 std::span<const PictureOption> option_table() {
   using namespace option_rows;
-  return table_of<size, rays, sampler, seed, max_depth, branching, reflection_rays, transmission_rays, shadow_rays,
-                  light_rays, sampler_light, crop, noise, first_rays, shutter, time, frames, frame, eye, uvw, lens,
-                  disk_radius, gloss, blur, without, exposure, course, highlight, lenient, no_shadows, lens_model,
-                  transparent_shadows, aov, bits>();
+  return table_of<size, rays, sampler, filter, seed, max_depth, branching, reflection_rays, transmission_rays,
+                  shadow_rays, light_rays, sampler_light, crop, noise, first_rays, shutter, time, frames, frame, eye,
+                  uvw, lens, disk_radius, gloss, blur, without, exposure, course, highlight, lenient, no_shadows,
+                  lens_model, transparent_shadows, aov, bits>();
 }
 
 const PictureOption& option_named(std::string_view name) {

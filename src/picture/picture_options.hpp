@@ -50,6 +50,7 @@ struct PictureOptions {
   std::optional<int> rays, max_depth;
   std::optional<int> reflection_rays, transmission_rays, shadow_rays, light_rays;
   std::optional<Branching> branching;
+  std::optional<PixelFilter> filter;
   std::optional<Pattern> sampler;
   std::optional<std::uint32_t> seed;
   std::optional<PixelRect> crop;

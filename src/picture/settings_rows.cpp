@@ -121,6 +121,32 @@ PictureOption sampler() {
   return row;
 }
 
+PictureOption filter() {
+  PictureOption row{
+      "filter", "NAME",
+      "How what lies round a pixel's centre counts in its colour: box (the pixel alone), triangle, gaussian, "
+      "mitchell (sharpens) [the scene's, else box]",
+      "filter name"};
+  row.parse = [](Options& options, std::string_view text) {
+    return parse_name<PixelFilter>("filter", text, pixel_filter_names, options.filter);
+  };
+  row.words = [](const Options& options, const Settings& settings) {
+    const bool said = options.filter || settings.filter != PixelFilter::box;
+    return said ? std::string(pixel_filter_names[static_cast<int>(settings.filter)]) : std::string();
+  };
+  row.apply = [](Scene& scene, const Options& options) {
+    if (options.filter) scene.settings.filter = *options.filter;
+  };
+  row.idle = [](const Scene& scene, const Options& options) {
+    if (!options.filter || *options.filter == PixelFilter::box) return std::string();
+    return std::string(
+        filters(with_options(scene, options))
+            ? ""
+            : "with one ray per pixel, with --course and without antialiasing, rays stay in their pixels");
+  };
+  return row;
+}
+
 PictureOption seed() {
   PictureOption row = whole_number<&Options::seed, &Settings::seed, 0, 0xffffffff, true>(
       "seed", "Seed of the sample pattern [the scene's, else 0]", "seed n");

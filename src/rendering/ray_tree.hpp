@@ -26,8 +26,8 @@ RayTree trace_sample(const Frame& frame, const Kernel& kernel, int x, int y, std
                      std::size_t most = std::size_t{1} << 16);
 
 // The colour of a ray, summed again from the rays below it in the order of tracing/trace.hpp: equal to its
-// `came_back` to the last bit, unless rays were left out. The colour of the sample is equal to that of the eye ray, up to
-// rounding where some rays go on alone.
+// `came_back` to the last bit, unless rays were left out. The colour of the sample is equal to that of the eye ray, up
+// to rounding where some rays go on alone.
 std::array<float, 3> sum_of(const RayTree& tree, std::size_t ray);
 
 // What the sample adds to the film: its colour, rounded as exact sums require.

@@ -7,6 +7,7 @@
 
 #include "base/pixel_rect.hpp"
 #include "sampling/pattern.hpp"
+#include "sampling/pixel_filter.hpp"
 #include "scene/course.hpp"
 
 namespace penumbra {
@@ -49,8 +50,9 @@ struct Settings {
   bool regular_lights = false;       // area lights are sampled at a fixed regular set of points
   bool shadows = true;               // if not, every light reaches every surface
   bool transparent_shadows = false;  // shadow rays pass through surfaces, times k_trans for each
-  bool antialiasing = true;          // if not, every ray goes where a single one would
-  Course course = Course::off;       // its pixels, its rounding, its shapes under matrices
+  PixelFilter filter = PixelFilter::box;
+  bool antialiasing = true;     // if not, every ray goes where a single one would
+  Course course = Course::off;  // its pixels, its rounding, its shapes under matrices
 
   bool operator==(const Settings&) const = default;
 };

@@ -9,15 +9,25 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// The eye rays of the samples, through the pixels at (column, row).
-PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats column, Floats row, Mask active) {
+// The eye rays of the samples, through the pixels at (column, row). Where the frame has a filter, `weight` is what each
+// sample counts.
+PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats column, Floats row, Mask active,
+                              Floats& weight) {
   const FrameCamera& camera = frame.camera;
   Floats x = column + Floats(camera.pixel_offset);
   Floats y = row + Floats(camera.pixel_offset);
   if (camera.pixel_width != 0) {
     const Pair place = sampler.pixel_place();
-    x += place.u;
-    y += place.v;
+    if (frame.filter == PixelFilter::box) {
+      x += place.u;
+      y += place.v;
+    } else {
+      const FilteredPlace u = filtered_place(frame.filter_steps, place.u);
+      const FilteredPlace v = filtered_place(frame.filter_steps, place.v);
+      x += u.offset + Floats(0.5f);
+      y += v.offset + Floats(0.5f);
+      weight = u.weight * v.weight;
+    }
   }
   Rays rays;
   rays.coherent = true;

@@ -120,6 +120,12 @@ double largest_color(const Scene& scene) {
 
 }  // namespace
 
+bool filters(const Scene& scene) {
+  const Settings& settings = scene.settings;
+  return settings.filter != PixelFilter::box && settings.course == Course::off && settings.antialiasing &&
+         settings.rays_per_pixel > 1;
+}
+
 int chosen_light_rays(const Scene& scene) {
   const Settings& settings = scene.settings;
   const auto lights = static_cast<int>(std::min<std::size_t>(scene.lights.size(), most_hit_rays + 1));
@@ -167,6 +173,10 @@ Frame make_frame(const Scene& scene, World world) {
   }
   for (const Surface& surface : scene.surfaces) frame.surfaces.push_back(make_surface(surface));
   frame.settings = settings;
+  if (filters(scene)) {
+    frame.filter = settings.filter;
+    frame.filter_steps = make_filter_steps(settings.filter);
+  }
   frame.chooses_branches = chooses_branches(scene);
   frame.light_rays = chosen_light_rays(scene);
   if (frame.light_rays > 0) frame.light_clusters = make_light_clusters(frame.lights, frame.light_rays);

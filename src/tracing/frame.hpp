@@ -47,6 +47,8 @@ struct Frame {
   std::vector<FrameLight> lights;
   std::vector<FrameSurface> surfaces;
   Settings settings;
+  PixelFilter filter = PixelFilter::box;
+  FilterSteps filter_steps;       // not of the box
   int light_rays = 0;             // that each hit sends to lights that it chooses; 0: to all lights
   LightClusters light_clusters;   // where it is not 0
   bool chooses_branches = false;  // of the rays that a hit sends (tracing/branching.hpp)
@@ -67,6 +69,9 @@ inline constexpr float least_worth_of_two = 1.0f / 8;
 // Whether the picture chooses branches: where a surface sends two rays, and other samples of a pixel average what the
 // choice leaves out. The pictures of the course have whole trees.
 bool chooses_branches(const Scene& scene);
+
+// Whether rays of the pixels go further than the pixels themselves.
+bool filters(const Scene& scene);
 
 // How many shadow rays each hit sends to lights that it chooses; 0: to all lights.
 int chosen_light_rays(const Scene& scene);

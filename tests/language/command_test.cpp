@@ -93,10 +93,11 @@ TEST(CommandTable, holdsTheWholeLanguage) {
                            "transmission_rays",
                            "shadow_rays",
                            "branching",
-                           "light_rays"}) {
+                           "light_rays",
+                           "filter"}) {
     EXPECT_NE(find_command(name), nullptr) << name;
   }
-  EXPECT_EQ(all_commands().size(), 67u);
+  EXPECT_EQ(all_commands().size(), 68u);
 }
 
 // Every command has an error for one argument too many and, if it takes any, for one too few.

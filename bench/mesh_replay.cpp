@@ -180,7 +180,7 @@ int run(const char* rendered_path, const char* replayed_path, std::uint32_t rays
     ratios.push_back(rendered.seconds / embree);
   }
   fmt::print("{}: {} triangles, {} rays a pixel, {:.1f} Mrays; packets of {}\n\n", rendered_path,
-             frame.world.triangle_count, rays, static_cast<double>(counts.total()) * 1e-6, replayed_path);
+             frame.world.counts.triangles, rays, static_cast<double>(counts.total()) * 1e-6, replayed_path);
   fmt::print("| what | packets | seconds |\n| --- | --: | --: |\n");
   for (int k = 0; k < 4; k++) {
     if (recorder.kinds[k].queries.empty()) continue;

@@ -118,11 +118,10 @@ constexpr std::array table{
             "the pattern of the sample points: regular, random, jittered, multijittered, poisson, halton, sobol or "
             "bluenoise; sobol",
             actions::sampler},
-    Command{
-        "filter", sampling, takes<name>,
-        "how what lies round the centre of a pixel counts in its colour: box (the pixel alone), triangle, gaussian or "
-        "mitchell; box",
-        actions::filter},
+    Command{"filter", sampling, takes<name>,
+            "how what lies round the centre of a pixel counts in its colour: box (the pixel alone), triangle or "
+            "gaussian; box",
+            actions::filter},
     Command{"seed", sampling, takes<any_seed>, "selects the random numbers; 0", actions::set<&Settings::seed>},
     Command{"max_depth", sampling, takes<depth>,
             "at this depth, no further rays are sent; the ray from the eye has depth 0; 8",

@@ -122,11 +122,10 @@ PictureOption sampler() {
 }
 
 PictureOption filter() {
-  PictureOption row{
-      "filter", "NAME",
-      "How what lies round a pixel's centre counts in its colour: box (the pixel alone), triangle, gaussian, "
-      "mitchell (sharpens) [the scene's, else box]",
-      "filter name"};
+  PictureOption row{"filter", "NAME",
+                    "How what lies round a pixel's centre counts in its colour: box (the pixel alone), triangle, "
+                    "gaussian [the scene's, else box]",
+                    "filter name"};
   row.parse = [](Options& options, std::string_view text) {
     return parse_name<PixelFilter>("filter", text, pixel_filter_names, options.filter);
   };

@@ -15,75 +15,43 @@ double exponential(double x) {
   return power;
 }
 
+constexpr double reach_of_gaussian = 1.5;
+
 // The filters, x pixels from the centre.
 double value(PixelFilter filter, double x) {
-  x = std::abs(x);
   switch (filter) {
     case PixelFilter::box:
-      return x < 0.5 ? 1 : 0;
+      return std::abs(x) < 0.5 ? 1 : 0;
     case PixelFilter::triangle:
-      return x < 1 ? 1 - x : 0;
+      return std::max(1 - std::abs(x), 0.0);
     case PixelFilter::gaussian:
-      return x < 1.5 ? exponential(-2 * x * x) - exponential(-2 * 1.5 * 1.5) : 0;
-    case PixelFilter::mitchell:
-      if (x < 1) return ((7 * x - 12) * x * x + 16.0 / 3) / 6;
-      return x < 2 ? -7.0 / 18 * (x - 2) * (x - 2) * (x - 8.0 / 7) : 0;
+      return std::max(exponential(-2 * x * x) - exponential(-2 * reach_of_gaussian * reach_of_gaussian), 0.0);
   }
   return 0;
 }
 
-double reach(PixelFilter filter) {
-  constexpr double reaches[] = {0.5, 1, 1.5, 2};
-  return reaches[static_cast<int>(filter)];
-}
-
-// Part of a filter that has one sign, with its integral up to each of equal intervals.
-struct Lobe {
-  static constexpr int intervals = 4096;
-  double low, high;
-  std::vector<double> integral{0};
-
-  Lobe(PixelFilter filter, double a, double b) : low(a), high(b) {
-    const double width = (b - a) / intervals;
-    for (int i = 0; i < intervals; i++) {
-      const double x = a + i * width;
-      const double simpson = value(filter, x) + 4 * value(filter, x + width / 2) + value(filter, x + width);
-      integral.push_back(integral.back() + std::abs(simpson) * width / 6);
-    }
-  }
-  double whole() const { return integral.back(); }
-
-  // Where the integral is that share of the whole.
-  double place(double share) const {
-    const double goal = share * whole();
-    int i = 0;
-    while (i + 1 < intervals && integral[static_cast<std::size_t>(i) + 1] < goal) i++;
-    const double before = integral[static_cast<std::size_t>(i)];
-    const double own = integral[static_cast<std::size_t>(i) + 1] - before;
-    return low + (high - low) / intervals * (i + (own > 0 ? std::min((goal - before) / own, 1.0) : 0));
-  }
-};
-
 }  // namespace
 
 FilterSteps make_filter_steps(PixelFilter filter) {
-  constexpr auto count = static_cast<double>(FilterSteps::count);
-  const double end = reach(filter), positive_end = filter == PixelFilter::mitchell ? 8.0 / 7 : end;
-  const Lobe middle(filter, -positive_end, positive_end), left(filter, -end, -positive_end);
-  const double negative = 2 * left.whole(), total = middle.whole() - negative;
-
-  FilterSteps steps;
-  steps.negative = static_cast<std::uint32_t>(std::lround(count / 2 * negative / (middle.whole() + negative)));
-  const double outer = 2 * steps.negative, inner = count - outer;
-  steps.weight = static_cast<float>(middle.whole() / total * count / inner);
-  steps.negative_weight = outer > 0 ? static_cast<float>(-negative / total * count / outer) : 0;
-  for (std::uint32_t i = 0; i <= FilterSteps::count / 2; i++) {
-    const bool is_outer = i < steps.negative;
-    const double place = is_outer ? left.place(2 * i / outer) : middle.place((i - steps.negative) / inner);
-    steps.ends[i] = static_cast<float>(place);
-    steps.ends[FilterSteps::count - i] = static_cast<float>(-place);
+  constexpr std::size_t intervals = 8192, half = FilterSteps::count / 2;
+  const double reach = filter == PixelFilter::gaussian ? reach_of_gaussian : 1;
+  const double width = reach / intervals;
+  std::vector<double> integral{0};  // from the centre on, by Simpson's rule
+  for (std::size_t i = 0; i < intervals; i++) {
+    const double x = static_cast<double>(i) * width;
+    const double sum = value(filter, x) + 4 * value(filter, x + width / 2) + value(filter, x + width);
+    integral.push_back(integral.back() + sum * width / 6);
   }
-  steps.ends[FilterSteps::count / 2] = 0;
+  FilterSteps steps;
+  std::size_t i = 0;
+  for (std::size_t step = 1; step <= half; step++) {
+    const double goal = integral.back() * static_cast<double>(step) / half;
+    while (i + 1 < intervals && integral[i + 1] < goal) i++;
+    const double share = std::min((goal - integral[i]) / (integral[i + 1] - integral[i]), 1.0);
+    const auto end = static_cast<float>((static_cast<double>(i) + share) * width);
+    steps.ends[half + step] = end;
+    steps.ends[half - step] = -end;
+  }
   return steps;
 }
 

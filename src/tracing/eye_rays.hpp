@@ -9,10 +9,8 @@
 
 namespace penumbra::PENUMBRA_KERNEL {
 
-// The eye rays of the samples, through the pixels at (column, row). Where the frame has a filter, `weight` is what each
-// sample counts.
-PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats column, Floats row, Mask active,
-                              Floats& weight) {
+// The eye rays of the samples, through the pixels at (column, row).
+PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats column, Floats row, Mask active) {
   const FrameCamera& camera = frame.camera;
   Floats x = column + Floats(camera.pixel_offset);
   Floats y = row + Floats(camera.pixel_offset);
@@ -22,11 +20,8 @@ PENUMBRA_INLINE Rays eye_rays(const Frame& frame, const Sampler& sampler, Floats
       x += place.u;
       y += place.v;
     } else {
-      const FilteredPlace u = filtered_place(frame.filter_steps, place.u);
-      const FilteredPlace v = filtered_place(frame.filter_steps, place.v);
-      x += u.offset + Floats(0.5f);
-      y += v.offset + Floats(0.5f);
-      weight = u.weight * v.weight;
+      x += filtered_offset(frame.filter_steps, place.u) + Floats(0.5f);
+      y += filtered_offset(frame.filter_steps, place.v) + Floats(0.5f);
     }
   }
   Rays rays;

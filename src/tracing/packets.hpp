@@ -22,7 +22,6 @@ struct TracedPacket {
   Rays rays;
   FirstHits first_hits;
   Float3 color;
-  Floats weight;  // of the samples in their pixels; where the frame has a filter
 
   PENUMBRA_INLINE TracedPacket() {}
   PENUMBRA_INLINE TracedPacket(Ints x, Ints y, std::uint32_t first_sample, int samples, Mask lanes)
@@ -62,8 +61,7 @@ struct PacketRenderer {
   // Traces the trees of the samples of one packet.
   PENUMBRA_INLINE void trace_packet(const PixelSampler& pixel, TracedPacket& packet) const {
     const Sampler sampler(pattern, pixel, packet.first, packet.samples_per_pixel);
-    packet.rays =
-        eye_rays(frame, sampler, to_floats(packet.column), to_floats(packet.row), packet.active, packet.weight);
+    packet.rays = eye_rays(frame, sampler, to_floats(packet.column), to_floats(packet.row), packet.active);
     packet.rays.given_up = wanted.given_up;
     counts[RayKind::eye] += static_cast<std::uint64_t>(count(packet.active));
     packet.color =
@@ -73,7 +71,6 @@ struct PacketRenderer {
   // Adds the samples of a packet to `sums`.
   PENUMBRA_INLINE void add_packet(const TracedPacket& packet, Float3 color, PixelSums& sums) const {
     const Mask active = packet.active;
-    if (frame.filter != PixelFilter::box) color = color * packet.weight;
     recorder.samples(color);
     if (color_alone() && sums.color.add(keep(active, color), quanta)) return;
     const Mask x = is_finite_sample(color.x), y = is_finite_sample(color.y), z = is_finite_sample(color.z);

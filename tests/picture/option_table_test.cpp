@@ -34,7 +34,7 @@ const std::map<std::string_view, std::vector<std::string>> examples = {
     {"size", {"640x480", "1x65536"}},
     {"rays", {"2", "16777216"}},
     {"sampler", {"regular", "random", "bluenoise"}},
-    {"filter", {"triangle", "mitchell"}},
+    {"filter", {"triangle", "gaussian"}},
     {"seed", {"1", "4294967295"}},
     {"max-depth", {"0", "100"}},
     {"branching", {"full"}},

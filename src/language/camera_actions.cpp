@@ -2,7 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
 
 #include "base/parse.hpp"
 #include "language/actions.hpp"
@@ -16,6 +19,21 @@ namespace {
 constexpr double largest_cosine = 0.02;
 
 double cosine(Vec3 a, Vec3 b) { return std::abs(dot(normalize(a), normalize(b))); }
+
+// Gives a setting the value of that name.
+template <auto setting>
+void choose(Reading& reading, const Call& call, std::span<const std::string_view> names) {
+  using Choice = std::remove_cvref_t<decltype(std::declval<Settings>().*setting)>;
+  const std::string_view name = call.name(0);
+  if (const std::optional<Choice> choice = value_named<Choice>(name, names)) {
+    reading.builder.change().settings.*setting = *choice;
+    return;
+  }
+  reading.diagnostics.error(
+      call.place_of_argument(0),
+      fmt::format("there is no {} {}; there are {}", call.command.name, in_quotes(name), fmt::join(names, ", ")),
+      did_you_mean(nearest_word(name, {names.begin(), names.end()})));
+}
 
 }  // namespace
 
@@ -90,34 +108,8 @@ void rays_per_pixel(Reading& reading, const Call& call) {
   reading.note(Topic::rays, call);
 }
 
-void sampler(Reading& reading, const Call& call) {
-  const std::string_view name = call.name(0);
-  if (const std::optional<Pattern> pattern = value_named<Pattern>(name, pattern_names)) {
-    reading.builder.change().settings.pattern = *pattern;
-    return;
-  }
-  reading.diagnostics.error(
-      call.place_of_argument(0),
-      fmt::format("there is no sampler {}; there are {}", in_quotes(name), fmt::join(pattern_names, ", ")),
-      did_you_mean(nearest_word(name, {std::begin(pattern_names), std::end(pattern_names)})));
-}
-
-void filter(Reading& reading, const Call& call) {
-  const std::optional<PixelFilter> found = value_named<PixelFilter>(call.name(0), pixel_filter_names);
-  if (!found) {
-    return reading.error(call.place_of_argument(0), "there is no filter {}; there are {}", in_quotes(call.name(0)),
-                         fmt::join(pixel_filter_names, ", "));
-  }
-  reading.builder.change().settings.filter = *found;
-}
-
-void branching(Reading& reading, const Call& call) {
-  const std::optional<Branching> found = value_named<Branching>(call.name(0), branching_names);
-  if (!found) {
-    return reading.error(call.place_of_argument(0), "there is no branching {}; there are {}", in_quotes(call.name(0)),
-                         fmt::join(branching_names, ", "));
-  }
-  reading.builder.change().settings.branching = *found;
-}
+void sampler(Reading& reading, const Call& call) { choose<&Settings::pattern>(reading, call, pattern_names); }
+void filter(Reading& reading, const Call& call) { choose<&Settings::filter>(reading, call, pixel_filter_names); }
+void branching(Reading& reading, const Call& call) { choose<&Settings::branching>(reading, call, branching_names); }
 
 }  // namespace penumbra::actions

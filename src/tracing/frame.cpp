@@ -130,7 +130,7 @@ int chosen_light_rays(const Scene& scene) {
   const Settings& settings = scene.settings;
   const auto lights = static_cast<int>(std::min<std::size_t>(scene.lights.size(), most_hit_rays + 1));
   if (settings.light_rays != automatic_light_rays) return settings.light_rays < lights ? settings.light_rays : 0;
-  // Measured: at equal error, all lights are sooner up to about so many (bench/README.md).
+  // Measured: at equal error, all lights are sooner up to about so many (docs/performance.md).
   constexpr int most_lights_for_all = 64, rays = 24;
   const bool averages = settings.course == Course::off && settings.rays_per_pixel > 1;
   return averages && lights > most_lights_for_all ? rays : 0;
